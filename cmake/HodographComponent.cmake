@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+# hodograph_component(<name> MODULES <folder>... [DEPENDS <component>...] [LINK <target>...])
+#
+# One library, hodograph::<name>, of the sources src/<folder>/*.cpp; without sources (yet) it carries
+# only its headers. DEPENDS and LINK are passed on to whoever links it.
+
+function(hodograph_component name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "MODULES;DEPENDS;LINK")
+  set(target hodograph_${name})
+  list(TRANSFORM arg_DEPENDS PREPEND hodograph::)
+
+  set(sources)
+  foreach(module IN LISTS arg_MODULES)
+    file(GLOB found CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${module}/*.cpp")
+    list(APPEND sources ${found})
+  endforeach()
+
+  if(sources)
+    add_library(${target} ${sources})
+    set(scope PUBLIC)
+    hodograph_warnings(${target})
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(hodograph::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name}
+    OUTPUT_NAME hodograph_${name}
+    HODOGRAPH_MODULES "${arg_MODULES}"
+    POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_include_directories(${target} ${scope}
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_link_libraries(${target} ${scope} ${arg_DEPENDS} ${arg_LINK})
+  string(TOUPPER ${name} NAME)
+  if(NOT name STREQUAL "core")
+    target_compile_definitions(${target} ${scope} HODOGRAPH_HAS_${NAME}=1)
+  endif()
+
+  # A compiler that fuses a*b + c into one rounding breaks the error bounds of the enclosures and
+  # makes results differ between machines. Much of the library is templates, compiled in the user's
+  # files, so the option is passed on to whoever links the library.
+  target_compile_options(${target} ${scope}
+    "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang,IntelLLVM>:-ffp-contract=off>")
+
+  list(APPEND hodograph_components ${name})
+  list(REMOVE_DUPLICATES hodograph_components)
+  set(hodograph_components "${hodograph_components}" PARENT_SCOPE)
+endfunction()
+
+# The warnings of our own targets; never passed on.
+function(hodograph_warnings target)
+  target_compile_options(${target} PRIVATE
+    "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>")
+  if(HODOGRAPH_WARNINGS_AS_ERRORS)
+    set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ON)
+  endif()
+endfunction()
