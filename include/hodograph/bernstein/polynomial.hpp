@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Polynomials of fixed degree in Bernstein form on [0, 1], with coefficients in any vector space:
+// real numbers, points, complex numbers, quaternions, or any of these over enclosures.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hodograph/bernstein/binomial.hpp"
+
+namespace hodograph {
+
+/// The scalar of a vector space: V::Scalar, or V itself when V is a number.
+template <class V>
+struct ScalarOf {
+  using type = V;
+};
+template <class V>
+  requires requires { typename V::Scalar; }
+struct ScalarOf<V> {
+  using type = typename V::Scalar;
+};
+template <class V>
+using scalar_of_t = typename ScalarOf<V>::type;
+
+/// f(u) = Σ_{i=0..n} c_i B_i^n(u), u in [0, 1].
+///
+/// Evaluation sums c_i B_i^n(u) directly: on [0, 1] every weight is non-negative and they sum to 1,
+/// so the error is at most accuracy::evaluation_error(n) times the largest coefficient.
+/// Evaluation outside [0, 1] is an error of the caller. The type is small and copied freely.
+template <class V, std::size_t n>
+class BernsteinPolynomial {
+ public:
+  using Value = V;
+  using Scalar = scalar_of_t<V>;
+  static constexpr std::size_t degree = n;
+
+  /// The zero polynomial.
+  constexpr BernsteinPolynomial() = default;
+  constexpr explicit BernsteinPolynomial(const std::array<V, n + 1>& coefficients)
+      : c_(coefficients) {}
+
+  constexpr const std::array<V, n + 1>& coefficients() const { return c_; }
+  constexpr const V& operator[](std::size_t i) const { return c_[i]; }
+  constexpr V& operator[](std::size_t i) { return c_[i]; }
+
+  /// f(u).
+  constexpr V value(const Scalar& u) const { return weighted(bernstein_values<n>(u), 0); }
+  /// Exactly c_0 and c_n.
+  constexpr const V& front() const { return c_.front(); }
+  constexpr const V& back() const { return c_.back(); }
+
+  /// f(u), f'(u), ..., f^(K)(u). Derivatives above the degree are zero.
+  /// Method: the last min(K, n) steps of de Casteljau's algorithm, whose points are n - K fold
+  /// averages of consecutive coefficients with common weights.
+  template <std::size_t K>
+  constexpr std::array<V, K + 1> jet(const Scalar& u) const {
+    constexpr std::size_t steps = K < n ? K : n;
+    const auto weights = bernstein_values<n - steps>(u);
+    std::array<V, steps + 1> point;
+    for (std::size_t i = 0; i <= steps; ++i) point[i] = weighted(weights, i);
+
+    std::array<V, K + 1> result{};
+    const Scalar v = Scalar(1) - u;
+    Scalar factor(1);
+    // Before step r the points are those of level n - steps + r; the differences of order
+    // steps - r of them give the derivative of that order, so derivatives come out highest first.
+    for (std::size_t order = 0; order < steps; ++order) {
+      factor = factor * Scalar(static_cast<double>(n - order));
+    }
+    for (std::size_t order = steps + 1; order-- > 0;) {
+      std::array<V, steps + 1> difference = point;
+      for (std::size_t j = 0; j < order; ++j) {
+        for (std::size_t i = 0; i + j < order; ++i) difference[i] = difference[i + 1] - difference[i];
+      }
+      result[order] = factor * difference[0];
+      if (order > 0) {
+        factor = factor / Scalar(static_cast<double>(n - order + 1));
+        for (std::size_t i = 0; i < order; ++i) point[i] = v * point[i] + u * point[i + 1];
+      }
+    }
+    return result;
+  }
+
+  /// f', of degree n - 1 (the zero polynomial of degree 0 for a constant).
+  constexpr BernsteinPolynomial<V, (n > 0 ? n - 1 : 0)> derivative() const {
+    BernsteinPolynomial<V, (n > 0 ? n - 1 : 0)> result;
+    const Scalar factor(static_cast<double>(n));
+    for (std::size_t i = 0; i < n; ++i) result[i] = factor * (c_[i + 1] - c_[i]);
+    return result;
+  }
+
+  /// ∫₀ᵘ f, of degree n + 1.
+  constexpr BernsteinPolynomial<V, n + 1> antiderivative() const {
+    BernsteinPolynomial<V, n + 1> result;
+    const Scalar factor = ratio<Scalar>(1, static_cast<std::int64_t>(n + 1));
+    V sum{};
+    for (std::size_t i = 0; i <= n; ++i) {
+      sum = sum + c_[i];
+      result[i + 1] = factor * sum;
+    }
+    return result;
+  }
+
+  /// ∫₀¹ f, the mean of the coefficients.
+  constexpr V integral() const {
+    V sum = c_[0];
+    for (std::size_t i = 1; i <= n; ++i) sum = sum + c_[i];
+    return ratio<Scalar>(1, static_cast<std::int64_t>(n + 1)) * sum;
+  }
+
+  /// The same polynomial written in degree m ≥ n.
+  template <std::size_t m>
+    requires(m >= n)
+  constexpr BernsteinPolynomial<V, m> elevated() const {
+    BernsteinPolynomial<V, m> result;
+    for (std::size_t i = 0; i <= m; ++i) {
+      for (std::size_t j = (i > m - n ? i - (m - n) : 0); j <= n && j <= i; ++j) {
+        result[i] = result[i] + ratio<Scalar>(binomial(n, j) * binomial(m - n, i - j),
+                                              binomial(m, i)) * c_[j];
+      }
+    }
+    return result;
+  }
+
+  /// v -> f(a + (b - a) v): the polynomial on [a, b], again on [0, 1]. By blossoming: two runs of
+  /// de Casteljau's algorithm, convex combinations only when 0 ≤ a ≤ b ≤ 1.
+  constexpr BernsteinPolynomial restricted(const Scalar& a, const Scalar& b) const {
+    const BernsteinPolynomial left = b == Scalar(1) ? *this : split(b, true);
+    if (a == Scalar(0)) return left;
+    return left.split(b == Scalar(1) ? a : a / b, false);
+  }
+
+  /// u -> f(1 - u).
+  constexpr BernsteinPolynomial reversed() const {
+    BernsteinPolynomial result;
+    for (std::size_t i = 0; i <= n; ++i) result[i] = c_[n - i];
+    return result;
+  }
+
+  /// The image under a linear map of the coefficient space.
+  template <class Map>
+  constexpr auto mapped(const Map& map) const {
+    BernsteinPolynomial<decltype(map(c_[0])), n> result;
+    for (std::size_t i = 0; i <= n; ++i) result[i] = map(c_[i]);
+    return result;
+  }
+
+  friend constexpr BernsteinPolynomial operator+(const BernsteinPolynomial& f,
+                                                 const BernsteinPolynomial& g) {
+    BernsteinPolynomial result;
+    for (std::size_t i = 0; i <= n; ++i) result[i] = f[i] + g[i];
+    return result;
+  }
+  friend constexpr BernsteinPolynomial operator-(const BernsteinPolynomial& f,
+                                                 const BernsteinPolynomial& g) {
+    BernsteinPolynomial result;
+    for (std::size_t i = 0; i <= n; ++i) result[i] = f[i] - g[i];
+    return result;
+  }
+  friend constexpr BernsteinPolynomial operator*(const Scalar& s, const BernsteinPolynomial& f) {
+    return f.mapped([&](const V& c) { return s * c; });
+  }
+  friend constexpr bool operator==(const BernsteinPolynomial&,
+                                   const BernsteinPolynomial&) = default;
+
+ private:
+  template <std::size_t size>
+  constexpr V weighted(const std::array<Scalar, size>& weights, std::size_t first) const {
+    V sum = weights[0] * c_[first];
+    for (std::size_t i = 1; i < size; ++i) sum = sum + weights[i] * c_[first + i];
+    return sum;
+  }
+
+  // De Casteljau at u: the part on [0, u] (left) or on [u, 1].
+  constexpr BernsteinPolynomial split(const Scalar& u, bool left) const {
+    const Scalar v = Scalar(1) - u;
+    BernsteinPolynomial result = *this;
+    std::array<V, n + 1> point = c_;
+    for (std::size_t r = 1; r <= n; ++r) {
+      for (std::size_t i = 0; i + r <= n; ++i) point[i] = v * point[i] + u * point[i + 1];
+      if (left) {
+        result[r] = point[0];
+      } else {
+        result[n - r] = point[n - r];
+      }
+    }
+    return result;
+  }
+
+  std::array<V, n + 1> c_{};
+};
+
+/// The product of two polynomials under a bilinear form of their coefficients, of degree m + n:
+///   h_k = Σ_{i+j=k} C(m,i) C(n,j) / C(m+n,k) form(f_i, g_j).
+template <class V, class W, std::size_t m, std::size_t n, class Form>
+constexpr auto product(const BernsteinPolynomial<V, m>& f, const BernsteinPolynomial<W, n>& g,
+                       const Form& form) {
+  using S = scalar_of_t<V>;
+  using R = real_of_t<S>;
+  const auto& weights = constant_table<R, ProductWeights<R, m, n>>();
+  BernsteinPolynomial<decltype(form(f[0], g[0])), m + n> h;
+  for (std::size_t i = 0; i <= m; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      h[i + j] = h[i + j] + S(weights[i][j]) * form(f[i], g[j]);
+    }
+  }
+  return h;
+}
+
+/// The product of f with itself under a symmetric bilinear form: half the work of product(f, f).
+template <class V, std::size_t n, class Form>
+constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& form) {
+  using S = scalar_of_t<V>;
+  using R = real_of_t<S>;
+  const auto& weights = constant_table<R, ProductWeights<R, n, n>>();
+  BernsteinPolynomial<decltype(form(f[0], f[0])), 2 * n> h;
+  for (std::size_t i = 0; i <= n; ++i) {
+    h[2 * i] = h[2 * i] + S(weights[i][i]) * form(f[i], f[i]);
+    for (std::size_t j = i + 1; j <= n; ++j) {
+      h[i + j] = h[i + j] + S(R(2) * weights[i][j]) * form(f[i], f[j]);
+    }
+  }
+  return h;
+}
+
+}  // namespace hodograph

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Everything a follower of a path asks at one point, in one evaluation.
+#pragma once
+
+#include "hodograph/frame/adapted_frame.hpp"
+#include "hodograph/path/path.hpp"
+
+namespace hodograph {
+
+/// Position, ERF, its body rate per unit ξ, speed and arc length at one point of a path.
+template <class A>
+struct PathState {
+  point_t<A> position{};
+  frame_t<A> frame{};
+  rate_t<A> body_rate_per_xi{};
+  typename A::Scalar speed{};
+  typename A::Scalar arc_length{};
+};
+
+/// The state at ξ. Domain: ξ inside the knots (throws outside_domain); where the speed is zero the
+/// frame does not exist and Error with code zero_speed is thrown. Accuracy: position and arc
+/// length within accuracy::evaluation_error(2n + 1) of the largest coefficient.
+template <PreimageAlgebra A, std::size_t n>
+PathState<A> evaluate(const Path<A, n>& path, const typename A::Scalar& xi) {
+  using S = typename A::Scalar;
+  const auto at = path.locate(xi);
+  const auto& curve = path.segment(at.segment);
+  const auto jet = curve.template preimage_jet<1>(at.u);
+  const S sigma = speed_form(jet[0], jet[0]);
+  if (!(S(0) < sigma)) {
+    throw Error(Fault{FaultCode::zero_speed,
+                      "the path stands still at xi = " + to_text(to_double(xi)) +
+                          ": no frame exists there",
+                      at.segment, "speed", 0.0, std::nullopt});
+  }
+  const S reciprocal = S(1) / sigma;
+  return {curve.position(at.u), reciprocal * scaled_frame(jet[0]),
+          (S(2) * reciprocal) * body_rate_form(jet[0], jet[1]), sigma, path.arc_length(at)};
+}
+
+}  // namespace hodograph
