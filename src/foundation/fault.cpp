@@ -19,6 +19,7 @@ std::string_view name_of(FaultCode code) {
     case FaultCode::malformed_document: return "malformed_document";
     case FaultCode::unsupported: return "unsupported";
     case FaultCode::broken_promise: return "broken_promise";
+    case FaultCode::not_written: return "not_written";
     case FaultCode::no_interpolant: return "no_interpolant";
     case FaultCode::tolerance_not_reached: return "tolerance_not_reached";
     case FaultCode::no_convergence: return "no_convergence";

@@ -24,6 +24,7 @@ enum class FaultCode {
   malformed_document,   ///< a file or request that cannot be read
   unsupported,          ///< well formed, but not offered
   broken_promise,       ///< a document whose numbers contradict what it states
+  not_written,          ///< a file that could not be written
   // no solution
   no_interpolant,       ///< Hermite data that this construction cannot join
   tolerance_not_reached,///< a fit that would need more segments than allowed
