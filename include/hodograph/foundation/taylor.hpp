@@ -20,6 +20,17 @@
 
 namespace hodograph {
 
+/// Σ_{j=first..last} a_j b_{k-j}, 0 where first > last: the sum that arithmetic on series consists
+/// of. Called unqualified, so that a scalar may bring a faster or sharper one.
+template <class S>
+constexpr S convolution(const S* a, const S* b, std::size_t k, std::size_t first,
+                        std::size_t last) {
+  if (first > last) return S(0);
+  S sum = a[first] * b[k - first];
+  for (std::size_t j = first + 1; j <= last; ++j) sum = sum + a[j] * b[k - j];
+  return sum;
+}
+
 template <class S, std::size_t K>
 class Taylor {
  public:
@@ -44,6 +55,8 @@ class Taylor {
   /// The coefficient c_k = f^(k)/k!.
   constexpr const S& operator[](std::size_t k) const { return c_[k]; }
   constexpr S& operator[](std::size_t k) { return c_[k]; }
+  /// The first of the K + 1 coefficients, which are contiguous.
+  constexpr const S* data() const { return c_.data(); }
   /// The k-th derivative k! c_k.
   constexpr S derivative(std::size_t k) const {
     S factor(1);
@@ -68,19 +81,13 @@ class Taylor {
   }
   friend constexpr Taylor operator*(const Taylor& a, const Taylor& b) {
     Taylor r;
-    for (std::size_t k = 0; k <= K; ++k) {
-      S sum = a.c_[0] * b.c_[k];
-      for (std::size_t j = 1; j <= k; ++j) sum = sum + a.c_[j] * b.c_[k - j];
-      r.c_[k] = sum;
-    }
+    for (std::size_t k = 0; k <= K; ++k) r.c_[k] = convolution(a.data(), b.data(), k, 0, k);
     return r;
   }
   friend constexpr Taylor operator/(const Taylor& a, const Taylor& b) {
     Taylor r;
     for (std::size_t k = 0; k <= K; ++k) {
-      S sum = a.c_[k];
-      for (std::size_t j = 1; j <= k; ++j) sum = sum - b.c_[j] * r.c_[k - j];
-      r.c_[k] = sum / b.c_[0];
+      r.c_[k] = (a.c_[k] - convolution(b.data(), r.data(), k, 1, k)) / b.c_[0];
     }
     return r;
   }
@@ -128,21 +135,27 @@ constexpr S count(std::size_t j) {
   return S(static_cast<double>(j));
 }
 
-/// The series y with y' = q a' and y_0 given, where q may depend on y through the callback:
-/// k y_k = Σ_{j=1..k} j a_j q_{k-j}.
+/// t a', with coefficients j a_j.
 template <class S, std::size_t K>
-constexpr S integral_step(const Taylor<S, K>& a, const Taylor<S, K>& q, std::size_t k) {
-  S sum = count<S>(k) * a[k] * q[0];
-  for (std::size_t j = 1; j < k; ++j) sum = sum + count<S>(j) * a[j] * q[k - j];
-  return sum / count<S>(k);
+constexpr Taylor<S, K> times_index(const Taylor<S, K>& a) {
+  Taylor<S, K> result;
+  for (std::size_t j = 1; j <= K; ++j) result[j] = count<S>(j) * a[j];
+  return result;
+}
+
+/// The k-th coefficient of the y with y' = q a', k ≥ 1, from those of q below k (so q may depend on
+/// y): y_k = (1/k) Σ_{j=1..k} j a_j q_{k-j}. `slope` is times_index(a).
+template <class S, std::size_t K>
+constexpr S integral_step(const Taylor<S, K>& slope, const Taylor<S, K>& q, std::size_t k) {
+  return convolution(slope.data(), q.data(), k, 1, k) / count<S>(k);
 }
 
 /// y with y' = a'/q and value y0.
 template <class S, std::size_t K>
 Taylor<S, K> integral_of_quotient(const S& y0, const Taylor<S, K>& a, const Taylor<S, K>& q) {
-  const Taylor<S, K> reciprocal = Taylor<S, K>(S(1)) / q;
+  const Taylor<S, K> reciprocal = Taylor<S, K>(S(1)) / q, slope = times_index(a);
   Taylor<S, K> y(y0);
-  for (std::size_t k = 1; k <= K; ++k) y[k] = integral_step(a, reciprocal, k);
+  for (std::size_t k = 1; k <= K; ++k) y[k] = integral_step(slope, reciprocal, k);
   return y;
 }
 
@@ -152,10 +165,9 @@ template <class S, std::size_t K>
 Taylor<S, K> sqrt(const Taylor<S, K>& a) {
   using std::sqrt;
   Taylor<S, K> y(S(sqrt(a[0])));
+  const S twice = y[0] + y[0];
   for (std::size_t k = 1; k <= K; ++k) {
-    S sum = a[k];
-    for (std::size_t j = 1; j < k; ++j) sum = sum - y[j] * y[k - j];
-    y[k] = sum / (y[0] + y[0]);
+    y[k] = (a[k] - convolution(y.data(), y.data(), k, 1, k - 1)) / twice;
   }
   return y;
 }
@@ -163,8 +175,9 @@ Taylor<S, K> sqrt(const Taylor<S, K>& a) {
 template <class S, std::size_t K>
 Taylor<S, K> exp(const Taylor<S, K>& a) {
   using std::exp;
+  const Taylor<S, K> slope = taylor_detail::times_index(a);
   Taylor<S, K> y(S(exp(a[0])));
-  for (std::size_t k = 1; k <= K; ++k) y[k] = taylor_detail::integral_step(a, y, k);
+  for (std::size_t k = 1; k <= K; ++k) y[k] = taylor_detail::integral_step(slope, y, k);
   return y;
 }
 
@@ -179,10 +192,11 @@ template <class S, std::size_t K>
 std::pair<Taylor<S, K>, Taylor<S, K>> sin_cos(const Taylor<S, K>& a) {
   using std::cos;
   using std::sin;
+  const Taylor<S, K> slope = taylor_detail::times_index(a);
   Taylor<S, K> s(S(sin(a[0]))), c(S(cos(a[0])));
   for (std::size_t k = 1; k <= K; ++k) {
-    s[k] = taylor_detail::integral_step(a, c, k);
-    c[k] = -taylor_detail::integral_step(a, s, k);
+    s[k] = taylor_detail::integral_step(slope, c, k);
+    c[k] = -taylor_detail::integral_step(slope, s, k);
   }
   return {s, c};
 }
@@ -204,10 +218,11 @@ template <class S, std::size_t K>
 std::pair<Taylor<S, K>, Taylor<S, K>> sinh_cosh(const Taylor<S, K>& a) {
   using std::cosh;
   using std::sinh;
+  const Taylor<S, K> slope = taylor_detail::times_index(a);
   Taylor<S, K> s(S(sinh(a[0]))), c(S(cosh(a[0])));
   for (std::size_t k = 1; k <= K; ++k) {
-    s[k] = taylor_detail::integral_step(a, c, k);
-    c[k] = taylor_detail::integral_step(a, s, k);
+    s[k] = taylor_detail::integral_step(slope, c, k);
+    c[k] = taylor_detail::integral_step(slope, s, k);
   }
   return {s, c};
 }
@@ -248,9 +263,11 @@ Taylor<S, K> atan2(const Taylor<S, K>& y, const Taylor<S, K>& x) {
   // θ' = (x y' - y x')/(x² + y²), integrated term by term.
   const Taylor<S, K> reciprocal = Taylor<S, K>(S(1)) / (x * x + y * y);
   const Taylor<S, K> p = x * reciprocal, q = y * reciprocal;
+  const Taylor<S, K> x_slope = taylor_detail::times_index(x), y_slope = taylor_detail::times_index(y);
   Taylor<S, K> angle(S(atan2(y[0], x[0])));
   for (std::size_t k = 1; k <= K; ++k) {
-    angle[k] = taylor_detail::integral_step(y, p, k) - taylor_detail::integral_step(x, q, k);
+    angle[k] = taylor_detail::integral_step(y_slope, p, k) -
+               taylor_detail::integral_step(x_slope, q, k);
   }
   return angle;
 }
