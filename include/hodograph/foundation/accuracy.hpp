@@ -35,6 +35,13 @@ constexpr real_of_t<S> join_error() {
   return real_of_t<S>(64) * epsilon<S>();
 }
 
+/// A rotation given as a unit quaternion may miss length 1 by this much (64 roundings, as above);
+/// more is not a rotation.
+template <class S>
+constexpr real_of_t<S> unit_error() {
+  return join_error<S>();
+}
+
 /// A Hermite interpolant is refused where the fibre it needs is opposite to the one it has within
 /// this angle (radians): the projection then keeps fewer than half of the digits.
 template <class S>
@@ -43,13 +50,21 @@ real_of_t<S> opposite_fibre_angle() {
   return sqrt(epsilon<S>());
 }
 
-/// A speed counts as zero at a Hermite end when the acceleration would turn the velocity round
-/// within this fraction of the parameter step: |v| ≤ slow_end · h |a| makes arc lengths grow like
-/// 1/slow_end (errata, "zero speed at an end").
+/// A Hermite interpolant is refused when its control speeds sum to more than this many times the
+/// size of its data (the displacement and the terms h^r |p^(r)|/r!): ε^(-1/4), 8192 for double. It
+/// would wander that far to meet them and lose as many digits; a speed that nearly vanishes
+/// beside the acceleration does that.
 template <class S>
-real_of_t<S> slow_end() {
+real_of_t<S> wild_interpolant() {
   using std::sqrt;
-  return sqrt(epsilon<S>());
+  return real_of_t<S>(1) / sqrt(sqrt(epsilon<S>()));
+}
+
+/// A Hermite curve's stored end may miss its datum by this fraction of the largest displacement
+/// coefficient: half of what continuity_error allows a knot.
+template <class S>
+constexpr real_of_t<S> settled_end() {
+  return real_of_t<S>(2) * epsilon<S>();
 }
 
 }  // namespace hodograph::accuracy

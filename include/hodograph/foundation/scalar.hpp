@@ -52,6 +52,13 @@ constexpr S ratio(std::int64_t numerator, std::int64_t denominator) {
   return S(static_cast<double>(numerator)) / S(static_cast<double>(denominator));
 }
 
+/// condition ? a : b. A scalar made of several lanes overloads it with a lane mask, so that code
+/// written with it has no branch.
+template <class T>
+constexpr T select(bool condition, const T& a, const T& b) {
+  return condition ? a : b;
+}
+
 /// The real value of a scalar without its derivatives.
 template <class S>
 constexpr const S& value_of(const S& x)

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: MIT
+// hermite.hpp: the door (checks, scaling, faults) around the kernel.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "hodograph/construction/detail/hermite_kernel.hpp"
+#include "hodograph/construction/hermite.hpp"
+
+namespace hodograph {
+namespace hermite_detail {
+
+/// The power of two c with c² max|p'| in [1/2, 2): preimages are computed from data scaled by c² and
+/// divided by c, so that no square overflows or vanishes.
+template <class S>
+double prescale(double largest_speed) {
+  if (!(largest_speed > 0) || !std::isfinite(largest_speed)) return 1.0;
+  int exponent = 0;
+  std::frexp(largest_speed, &exponent);
+  return std::ldexp(1.0, -(exponent / 2));
+}
+
+template <std::size_t m, class S>
+std::optional<Fault> point_fault(const HermitePoint<m, S>& point, std::size_t index) {
+  for (std::size_t r = 0; r <= m; ++r) {
+    if (!is_finite(point[r])) {
+      return Fault{FaultCode::not_finite,
+                   (r == 0 ? std::string("the position") : "derivative " + std::to_string(r)) +
+                       " of point " + std::to_string(index) + " is not finite",
+                   index, r == 0 ? "position" : "derivative", std::nullopt, std::nullopt};
+    }
+  }
+  if (!(S(0) < largest_component(point[1]))) {
+    return Fault{FaultCode::zero_speed,
+                 "the velocity of point " + std::to_string(index) +
+                     " is zero: a PH curve has no direction there; give it a speed or split the "
+                     "data at the stop",
+                 index, "velocity", 0.0, std::nullopt};
+  }
+  return std::nullopt;
+}
+
+template <class S>
+std::optional<Fault> step_fault(const S& h) {
+  if (is_finite(h) && S(0) < h) return std::nullopt;
+  return Fault{FaultCode::outside_domain,
+               "the parameter step must be positive; got " + to_text(to_double(h)), std::nullopt,
+               "parameter_step", to_double(h), 0.0};
+}
+
+/// Judges a finished segment: its numbers, its fibre, and how far it wanders from its data.
+template <std::size_t m, class S>
+std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePoint<m, S>& begin,
+                                   const HermitePoint<m, S>& end, const S& h, double scale,
+                                   std::size_t index) {
+  using std::sqrt;
+  using R = real_of_t<S>;
+  const std::string where = "segment " + std::to_string(index);
+  const R angle = accuracy::opposite_fibre_angle<S>();
+  if (!(value_of(segment.closeness) > angle * angle)) {
+    return Fault{FaultCode::no_interpolant,
+                 where + ": the displacement asks the curve to turn back on itself (its middle "
+                         "fibre is opposite to its neighbours); use shorter segments",
+                 index, "closeness", to_double(segment.closeness), to_double(R(angle * angle))};
+  }
+  S control_speed(0);
+  for (const auto& a : segment.preimage.coefficients()) control_speed += dot(a, a);
+  control_speed = control_speed * ratio<S>(1, 2 * static_cast<std::int64_t>(m) + 1);
+  const S square(scale * scale);
+  S size = largest_component((S(1) / h) * (end[0] - begin[0]));
+  S weight = S(1);
+  for (std::size_t r = 1; r <= m; ++r) {
+    size = size + weight * (largest_component(begin[r]) + largest_component(end[r]));
+    weight = weight * h / S(static_cast<double>(r + 1));
+  }
+  size = square * size;
+  if (!is_finite(control_speed) ||
+      !(value_of(control_speed) < accuracy::wild_interpolant<S>() * value_of(size))) {
+    return Fault{FaultCode::no_interpolant,
+                 where + ": the interpolant would wander " +
+                     to_text(to_double(S(control_speed / size))) +
+                     " times as far as its data reach; a speed is too small beside its "
+                     "derivatives, or the parameter steps do not suit the points",
+                 index, "wandering", to_double(S(control_speed / size)),
+                 to_double(accuracy::wild_interpolant<S>())};
+  }
+  return std::nullopt;
+}
+
+/// The preimage of a segment in the data's own scale, after a constant roll.
+template <class S, std::size_t n>
+BernsteinPolynomial<Quaternion<S>, n> restored(const BernsteinPolynomial<Quaternion<S>, n>& preimage,
+                                               const Roll<S>& roll, double scale) {
+  const S factor(1.0 / scale);
+  return preimage.mapped([&](const Quaternion<S>& a) { return factor * (a * roll); });
+}
+
+/// The curve of a preimage whose middle coefficient is settled on the stored numbers: the position
+/// polynomial is summed from rounded products, so the end it reaches may miss the datum by more
+/// than it need. While the miss exceeds accuracy::settled_end of the largest displacement, the middle
+/// coefficient takes a Newton step, 2h A_p ⋆ dA = miss; the best of at most four is kept.
+template <std::size_t m, class S>
+SpatialPhCurve<2 * m, S> settled_curve(const Vector3<S>& start, const Vector3<S>& displacement,
+                                       BernsteinPolynomial<Quaternion<S>, 2 * m> preimage,
+                                       const S& h) {
+  constexpr int most_steps = 4;
+  SpatialPhCurve<2 * m, S> curve(start, preimage, h), best = curve;
+  S best_miss(-1);
+  for (int step = 0;; ++step) {
+    const Vector3<S> miss = displacement - curve.displacement().back();
+    const S size = largest_component(miss);
+    if (best_miss < S(0) || size < best_miss) {
+      best_miss = size;
+      best = curve;
+    }
+    S scale(0);
+    for (const auto& c : curve.displacement().coefficients()) {
+      const S component = largest_component(c);
+      scale = select(scale < component, component, scale);
+    }
+    if (step == most_steps || !(S(accuracy::settled_end<S>()) * scale < size)) return best;
+    Quaternion<S> moment{};
+    for (std::size_t i = 0; i <= 2 * m; ++i) {
+      moment = moment + bernstein_gram<S>(2 * m, i, 2 * m, m) * preimage[i];
+    }
+    preimage[m] += solve_linear((S(0.5) / h) * miss, moment, S(1) / dot(moment, moment), S(0));
+    curve = SpatialPhCurve<2 * m, S>(start, preimage, h);
+  }
+}
+
+/// A quaternion U with U i U* along v_b + v_e, or along the chord where that sum vanishes against
+/// the speeds (errata: half circle): the reference of the standard form.
+template <class S>
+std::optional<Quaternion<S>> reference_quaternion(const Vector3<S>& velocity_begin,
+                                                  const Vector3<S>& velocity_end,
+                                                  const Vector3<S>& chord) {
+  const auto size = [](const Vector3<S>& v) { return value_of(largest_component(v)); };
+  const Vector3<S> sum = velocity_begin + velocity_end;
+  const auto speeds = size(velocity_begin) + size(velocity_end);
+  const bool opposite = !(size(sum) > accuracy::opposite_fibre_angle<S>() * speeds);
+  const Vector3<S>& direction = opposite ? chord : sum;
+  if (!(size(direction) > 0)) return std::nullopt;
+  return fibre(S(1.0) / largest_component(direction) * direction);
+}
+
+inline Fault no_reference_fault(std::size_t index) {
+  return {FaultCode::no_interpolant,
+          "segment " + std::to_string(index) +
+              ": the end velocities are opposite and the end points coincide, so there is no "
+              "standard form; use order_ten or shorter segments",
+          index, "velocity", std::nullopt, std::nullopt};
+}
+
+/// The twist that gives the Bernstein coefficients of the local preimage (√h A) the τ of Lemma 1:
+/// <A^(j), A i> = n!/(n-j)! h^-j Σ_{i=1..j} (-1)^{j-i} C(j,i) (-τ_i), over h for the local scale. side is
+/// +1 at the start and -1 at the end.
+template <class S, std::size_t m>
+struct GivenTau {
+  const std::array<S, (m > 1 ? m - 1 : 1)>& tau;
+  S h;
+  double side;
+  S operator()(const EndJet<S, m>&, std::size_t r) const {
+    S sum(0), factor(1);
+    for (std::size_t i = 1; i <= r; ++i) {
+      const double sign = (r - i) % 2 == 0 ? -1.0 : 1.0;
+      sum = sum + S(sign * static_cast<double>(binomial(r, i))) * tau[i - 1];
+      factor = factor * S(side * static_cast<double>(2 * m - i + 1)) / h;
+    }
+    return factor * sum / h;
+  }
+};
+
+template <std::size_t m, class S>
+std::array<Vector3<S>, m> scaled_derivatives(const HermitePoint<m, S>& point, double scale) {
+  std::array<Vector3<S>, m> result;
+  for (std::size_t r = 0; r < m; ++r) result[r] = S(scale * scale) * point[r + 1];
+  return result;
+}
+
+template <std::size_t m, class S>
+std::optional<Fault> ends_fault(const HermitePoint<m, S>& begin, const HermitePoint<m, S>& end,
+                                const S& h) {
+  if (auto fault = step_fault(h)) return fault;
+  if (auto fault = point_fault<m, S>(begin, 0)) return fault;
+  return point_fault<m, S>(end, 1);
+}
+
+template <std::size_t m, class S>
+double prescale_of(std::span<const HermitePoint<m, S>> points) {
+  double largest = 0;
+  for (const auto& point : points) {
+    largest = std::max(largest, to_double(largest_component(point[1])));
+  }
+  return prescale<S>(largest);
+}
+
+/// One segment between shared end jets; a Fault where it does not exist.
+template <std::size_t m, class S>
+Result<Segment<S, m>> checked_segment(const HermitePoint<m, S>& begin,
+                                      const HermitePoint<m, S>& end, const EndJet<S, m>& start_jet,
+                                      const EndJet<S, m>& end_jet, const S& h, double scale,
+                                      HermiteChoice choice, std::size_t index) {
+  const Vector3<S> mean_velocity = (S(scale * scale) / h) * (end[0] - begin[0]);
+  Segment<S, m> segment;
+  if (choice == HermiteChoice::order_ten) {
+    segment = twist_free_segment<S, m>(start_jet, end_jet, h, mean_velocity);
+  } else {
+    const auto reference = reference_quaternion(begin[1], end[1], end[0] - begin[0]);
+    if (!reference) return no_reference_fault(index);
+    segment = reference_segment<S, m>(start_jet, end_jet, h, mean_velocity, *reference, {}, {}, {});
+  }
+  if (auto fault = segment_fault<m, S>(segment, begin, end, h, scale, index)) return *fault;
+  return segment;
+}
+
+template <std::size_t m, class S>
+EndJet<S, m> checked_jet(const HermitePoint<m, S>& point, double scale, HermiteChoice choice) {
+  const auto derivatives = scaled_derivatives<m, S>(point, scale);
+  return choice == HermiteChoice::order_ten
+             ? end_jet<m, S>(derivatives.data(), RotationMinimising{})
+             : end_jet<m, S>(derivatives.data(), ZeroTau{});
+}
+
+}  // namespace hermite_detail
+
+template <std::size_t m, class S>
+Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
+                                               const HermitePoint<m, S>& end, const S& h,
+                                               HermiteChoice choice) {
+  using namespace hermite_detail;
+  if (auto fault = ends_fault<m, S>(begin, end, h)) return *fault;
+  const std::array<HermitePoint<m, S>, 2> points{begin, end};
+  const double scale = prescale_of<m, S>(points);
+  const auto segment = checked_segment<m, S>(begin, end, checked_jet<m, S>(begin, scale, choice),
+                                             checked_jet<m, S>(end, scale, choice), h, scale,
+                                             choice, 0);
+  if (!segment) return segment.fault();
+  return settled_curve<m, S>(begin[0], end[0] - begin[0],
+                             restored(segment->preimage, Roll<S>{}, scale), h);
+}
+
+template <std::size_t m, class S>
+Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
+                                               const HermitePoint<m, S>& end, const S& h,
+                                               const HermiteParameters<m, S>& parameters) {
+  using namespace hermite_detail;
+  using std::cos;
+  using std::sin;
+  if (auto fault = ends_fault<m, S>(begin, end, h)) return *fault;
+  const std::array<HermitePoint<m, S>, 2> points{begin, end};
+  const double scale = prescale_of<m, S>(points);
+  const auto scaled_tau = [&](auto tau) {  // τ scales with the square of the preimage
+    for (auto& t : tau) t = S(scale * scale) * t;
+    return tau;
+  };
+  const auto tau_begin = scaled_tau(parameters.tau_begin);
+  const auto tau_end = scaled_tau(parameters.tau_end);
+  const auto from_begin = scaled_derivatives<m, S>(begin, scale);
+  const auto from_end = scaled_derivatives<m, S>(end, scale);
+  const auto start_jet = end_jet<m, S>(from_begin.data(), GivenTau<S, m>{tau_begin, h, 1.0});
+  const auto far_jet = end_jet<m, S>(from_end.data(), GivenTau<S, m>{tau_end, h, -1.0});
+  const auto reference = reference_quaternion(begin[1], end[1], end[0] - begin[0]);
+  if (!reference) return no_reference_fault(0);
+  const auto turn = [](const S& angle) { return Roll<S>{cos(angle), sin(angle)}; };
+  const Vector3<S> mean_velocity = (S(scale * scale) / h) * (end[0] - begin[0]);
+  const auto segment = reference_segment<S, m>(start_jet, far_jet, h, mean_velocity, *reference,
+                                               turn(parameters.theta_begin),
+                                               turn(parameters.theta_middle),
+                                               turn(parameters.theta_end));
+  if (auto fault = segment_fault<m, S>(segment, begin, end, h, scale, 0)) return *fault;
+  return settled_curve<m, S>(begin[0], end[0] - begin[0],
+                             restored(segment.preimage, Roll<S>{}, scale), h);
+}
+
+template <std::size_t m, class S>
+Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
+                                           std::span<const HermitePoint<m, S>> points,
+                                           HermiteChoice choice, bool closed) {
+  using namespace hermite_detail;
+  using std::sqrt;
+  if (points.size() < 2) {
+    return Fault{FaultCode::too_few,
+                 "a path needs at least 2 points; got " + std::to_string(points.size()),
+                 std::nullopt, "points", static_cast<double>(points.size()), 2.0};
+  }
+  if (knots.size() != points.size()) {
+    return Fault{FaultCode::mismatched_size,
+                 std::to_string(points.size()) + " points need as many knots; got " +
+                     std::to_string(knots.size()),
+                 std::nullopt, "knots", static_cast<double>(knots.size()),
+                 static_cast<double>(points.size())};
+  }
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (auto fault = point_fault<m, S>(points[k], k)) return *fault;
+  }
+  const double scale = prescale_of<m, S>(points);
+  std::vector<SpatialPhCurve<2 * m, S>> segments;
+  segments.reserve(points.size() - 1);
+  EndJet<S, m> jet = checked_jet<m, S>(points[0], scale, choice);
+  Roll<S> roll;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    const S h = knots[k + 1] - knots[k];
+    if (auto fault = step_fault(h)) {
+      fault->code = FaultCode::not_increasing;
+      fault->index = k + 1;
+      fault->sentence = "knots must increase strictly; knot " + std::to_string(k + 1) + " is " +
+                        to_text(to_double(knots[k + 1])) + " after " +
+                        to_text(to_double(knots[k]));
+      return *fault;
+    }
+    const EndJet<S, m> next = checked_jet<m, S>(points[k + 1], scale, choice);
+    const auto segment = checked_segment<m, S>(points[k], points[k + 1], jet, next, h, scale,
+                                               choice, k);
+    if (!segment) return segment.fault();
+    segments.push_back(settled_curve<m, S>(points[k][0], points[k + 1][0] - points[k][0],
+                                           restored(segment->preimage, roll, scale), h));
+    const Roll<S> q = segment->roll;
+    roll = {roll.cosine * q.cosine - roll.sine * q.sine,
+            roll.cosine * q.sine + roll.sine * q.cosine};
+    const S size = sqrt(roll.cosine * roll.cosine + roll.sine * roll.sine);
+    roll = {roll.cosine / size, roll.sine / size};
+    jet = next;
+  }
+  return SpatialPath<2 * m, S>::create(std::move(knots), std::move(segments), closed);
+}
+
+}  // namespace hodograph
