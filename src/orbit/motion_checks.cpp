@@ -17,8 +17,7 @@ std::optional<Fault> check_start(const ThreeBodySystem& system,
     const Vector3<long double>& part = is_velocity ? start.velocity : start.position;
     for (std::size_t i = 0; i < 3; ++i) {
       if (is_finite(part[i])) continue;
-      const std::string quantity =
-          std::string(is_velocity ? "velocity " : "position ") + axes[i];
+      const std::string quantity = std::string(is_velocity ? "velocity " : "position ") + axes[i];
       return Fault{FaultCode::not_finite,
                    "the initial state's " + quantity + " is " + text(part[i]) +
                        "; all six components must be finite",

@@ -101,8 +101,8 @@ Result<OrbitCurve> OrbitCurve::make(const PeriodicOrbit& orbit, OrbitFrame frame
   }
   const auto check_crossing = [](const OrbitState<long double>& s,
                                  const char* where) -> std::optional<Fault> {
-    const long double miss = std::max(
-        std::max(std::abs(s.position.y), std::abs(s.velocity.x)), std::abs(s.velocity.z));
+    const long double miss =
+        std::max(std::max(std::abs(s.position.y), std::abs(s.velocity.x)), std::abs(s.velocity.z));
     if (miss <= crossing_tolerance) return std::nullopt;
     return Fault{FaultCode::not_continuous,
                  std::string("the orbit misses a perpendicular crossing of y = 0 ") + where +
@@ -126,9 +126,8 @@ Result<OrbitCurve> OrbitCurve::make(const PeriodicOrbit& orbit, OrbitFrame frame
     }
     const long double larger = norm(offset_from_larger(orbit.system, state.position));
     const long double smaller = norm(offset_from_smaller(orbit.system, state.position));
-    for (const auto& [primary, distance] :
-         {std::pair{motion_checks::Primary::larger, larger},
-          std::pair{motion_checks::Primary::smaller, smaller}}) {
+    for (const auto& [primary, distance] : {std::pair{motion_checks::Primary::larger, larger},
+                                            std::pair{motion_checks::Primary::smaller, smaller}}) {
       if (auto fault = motion_checks::check_distance(primary, distance, time, options)) {
         return std::move(*fault);
       }
@@ -177,8 +176,7 @@ std::array<Vector3<double>, 5> OrbitCurve::operator()(double xi) const {
   }
   MotionJet<double, derivative_count> jet = series_->evaluate(phase);
   if (frame_ == OrbitFrame::earth_centred_inertial) {
-    jet = to_earth_centred_inertial(series_->orbit.system, jet,
-                                    static_cast<double>(std::cos(time)),
+    jet = to_earth_centred_inertial(series_->orbit.system, jet, static_cast<double>(std::cos(time)),
                                     static_cast<double>(std::sin(time)));
   }
   if (!is_time) {

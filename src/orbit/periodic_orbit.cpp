@@ -279,33 +279,32 @@ Result<PeriodicOrbit> continue_to_period(const PeriodicOrbit& start, long double
     for (std::size_t i = 0; i < 3; ++i) right[i] = -crossing->slopes[i][3];
     const auto tangent = solve(*crossing, right, held_index(HeldQuantity::period));
     if (!tangent) return no_orbit("the family turns back", orbit.iterations, crossing->size());
-    for (;; part *= 0.5L) {
-      if (part < shortest_continuation) {
-        return Fault{FaultCode::no_convergence,
-                     "the family could be followed from period " + text(start.period) + " to " +
-                         text(orbit.period) + " only, not to " + text(period) +
-                         "; it turns back or branches there",
-                     {},
-                     "period",
-                     static_cast<double>(orbit.period),
-                     static_cast<double>(period)};
-      }
-      const long double next = std::min(1.0L, done + part);
-      const long double half = 0.5L * start.period + next * way;
-      Unknowns predicted = here;
-      for (std::size_t j = 0; j < 3; ++j) predicted[j] += (half - here[3]) * (*tangent)[j];
-      predicted[3] = half;
-      const long double length = distance(predicted, here);
-      if (length > longest_continuation) continue;
+    const long double next = std::min(1.0L, done + part);
+    Unknowns predicted = here;
+    predicted[3] = 0.5L * start.period + next * way;
+    for (std::size_t j = 0; j < 3; ++j) predicted[j] += (predicted[3] - here[3]) * (*tangent)[j];
+    const long double length = distance(predicted, here);
+    if (length <= longest_continuation) {
       const auto corrected = correct(start.system, predicted, HeldQuantity::period, options);
-      const bool is_near =
-          corrected && distance(unknowns_of(*corrected), predicted) <= straying * length;
-      if (!is_near && half != here[3]) continue;
-      if (!corrected) return corrected.fault();
-      orbit = *corrected;
-      done = next;
-      part *= 2.0L;
-      break;
+      // Where the period asked for is the one at hand there is no step to stray from.
+      if (corrected && (distance(unknowns_of(*corrected), predicted) <= straying * length ||
+                        predicted[3] == here[3])) {
+        orbit = *corrected;
+        done = next;
+        part *= 2.0L;
+        continue;
+      }
+    }
+    part *= 0.5L;
+    if (part < shortest_continuation) {
+      return Fault{FaultCode::no_convergence,
+                   "the family could be followed from period " + text(start.period) + " to " +
+                       text(orbit.period) + " only, not to " + text(period) +
+                       "; it turns back or branches there",
+                   {},
+                   "period",
+                   static_cast<double>(orbit.period),
+                   static_cast<double>(period)};
     }
   }
   return orbit;

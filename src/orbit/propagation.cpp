@@ -47,8 +47,7 @@ void field(const ThreeBodySystem& system, const Coordinates<N>& c, Coordinates<N
       };
       for (std::size_t i = 0; i < 3; ++i) {
         slope(i) = entry(i + 3);
-        slope(i + 3) =
-            hessian[i].x * entry(0) + hessian[i].y * entry(1) + hessian[i].z * entry(2);
+        slope(i + 3) = hessian[i].x * entry(0) + hessian[i].y * entry(1) + hessian[i].z * entry(2);
       }
       slope(3) += 2.0L * entry(4);
       slope(4) -= 2.0L * entry(3);
@@ -93,8 +92,7 @@ Result<Propagation> follow(const ThreeBodySystem& system, Coordinates<N>& c, lon
                  static_cast<double>(duration),
                  {}};
   }
-  auto stepper =
-      odeint::make_controlled<Stepper>(options.step_tolerance, options.step_tolerance);
+  auto stepper = odeint::make_controlled<Stepper>(options.step_tolerance, options.step_tolerance);
   const auto rate = [&system](const Coordinates<N>& x, Coordinates<N>& dxdt, long double) {
     field(system, x, dxdt);
   };
@@ -128,12 +126,12 @@ Result<Propagation> follow(const ThreeBodySystem& system, Coordinates<N>& c, lon
       if (!is_finite(x)) return motion_checks::stalled(start_time, duration);
     }
     const OrbitState<long double> after = state_of(c);
-    const long double larger = closest_in_step(
-        offset_from_larger(system, before.position), before.velocity,
-        offset_from_larger(system, after.position), after.velocity, tried);
-    const long double smaller = closest_in_step(
-        offset_from_smaller(system, before.position), before.velocity,
-        offset_from_smaller(system, after.position), after.velocity, tried);
+    const long double larger =
+        closest_in_step(offset_from_larger(system, before.position), before.velocity,
+                        offset_from_larger(system, after.position), after.velocity, tried);
+    const long double smaller =
+        closest_in_step(offset_from_smaller(system, before.position), before.velocity,
+                        offset_from_smaller(system, after.position), after.velocity, tried);
     if (auto fault = motion_checks::check_distance(Primary::larger, larger, time, options)) {
       return std::move(*fault);
     }
@@ -188,13 +186,13 @@ Result<long double> next_plane_crossing(const ThreeBodySystem& system,
                                         const PropagationOptions& options) {
   if (auto fault = motion_checks::check_start(system, start, options)) return std::move(*fault);
   if (!(limit > 0.0L) || !is_finite(limit)) {
-    return Fault{FaultCode::outside_domain,
-                 "the time limit is " + motion_checks::text(limit) +
-                     "; it must be positive and finite",
-                 {},
-                 "limit",
-                 static_cast<double>(limit),
-                 0.0};
+    return Fault{
+        FaultCode::outside_domain,
+        "the time limit is " + motion_checks::text(limit) + "; it must be positive and finite",
+        {},
+        "limit",
+        static_cast<double>(limit),
+        0.0};
   }
   OrbitState<long double> state = start;
   // The side of the plane the motion is on; at a start on the plane, the one it goes to.
@@ -211,8 +209,7 @@ Result<long double> next_plane_crossing(const ThreeBodySystem& system,
       }
     }
     const MotionSeries series = motion_series<series_order>(system, state);
-    const long double step =
-        std::min(series_step(series, std::min(larger, smaller)), limit - time);
+    const long double step = std::min(series_step(series, std::min(larger, smaller)), limit - time);
     if (time + step == time) return motion_checks::stalled(time, limit);
     const OrbitState<long double> after = sum_series(series, step);
     if (!is_finite(after.position) || !is_finite(after.velocity)) {

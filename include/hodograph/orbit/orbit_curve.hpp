@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A periodic orbit as a curve: position and four derivatives anywhere, from the equations of motion.
+// A periodic orbit as a curve: position and four derivatives anywhere, from the equations of
+// motion.
 #pragma once
 
 #include <array>
@@ -34,7 +35,8 @@ class OrbitCurve {
   /// Faults: those of propagate for the initial state; outside_domain (period or number of
   /// revolutions); not_continuous (an initial state that is not a perpendicular crossing of y = 0,
   /// or that does not cross it perpendicularly half a period later).
-  static Result<OrbitCurve> make(const PeriodicOrbit& orbit, OrbitFrame frame = OrbitFrame::rotating,
+  static Result<OrbitCurve> make(const PeriodicOrbit& orbit,
+                                 OrbitFrame frame = OrbitFrame::rotating,
                                  OrbitParameter parameter = OrbitParameter::time,
                                  std::size_t revolutions = 1);
 

@@ -14,9 +14,9 @@ namespace hodograph {
 
 /// A start on the plane y = 0, perpendicular to it: position (x, 0, z), velocity (0, vy, 0).
 struct SymmetricGuess {
-  long double x{}, z{};                  ///< LU
-  long double vy{};                      ///< LU/TU
-  std::optional<long double> period{};   ///< TU; found from the next crossing where not given
+  long double x{}, z{};                 ///< LU
+  long double vy{};                     ///< LU/TU
+  std::optional<long double> period{};  ///< TU; found from the next crossing where not given
 };
 
 /// Which of the four numbers of a guess the correction leaves alone.
@@ -36,8 +36,8 @@ struct PeriodicOrbit {
   long double closure{};            ///< largest component of state(period) - state(0)
   long double jacobi{};             ///< the Jacobi constant of the initial state
   long double closest_approach_larger{}, closest_approach_smaller{};  ///< LU, over the orbit
-  std::size_t iterations = 0;       ///< of the correction that found it
-  TransitionMatrix monodromy{};     ///< the transition matrix over one period
+  std::size_t iterations = 0;    ///< of the correction that found it
+  TransitionMatrix monodromy{};  ///< the transition matrix over one period
   /// ν = (λ + 1/λ)/2 for the two non-trivial pairs of eigenvalues λ, 1/λ of the monodromy
   /// matrix, the larger modulus first: the orbit is linearly stable when both are real in [-1, 1].
   std::array<std::complex<double>, 2> stability_indices{};

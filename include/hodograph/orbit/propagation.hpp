@@ -26,17 +26,18 @@ inline constexpr std::size_t default_max_steps = 200'000;
 
 /// How a motion is followed.
 struct PropagationOptions {
-  long double step_tolerance = default_step_tolerance;    ///< at least epsilon, below 1
-  double collision_distance = default_collision_distance; ///< LU, from either primary's centre; > 0
-  std::size_t max_steps = default_max_steps;              ///< attempted steps
+  long double step_tolerance = default_step_tolerance;  ///< at least epsilon, below 1
+  double collision_distance =
+      default_collision_distance;             ///< LU, from either primary's centre; > 0
+  std::size_t max_steps = default_max_steps;  ///< attempted steps
 };
 
 /// Where a motion got to.
 struct Propagation {
-  OrbitState<long double> state;         ///< at the end
-  std::size_t steps = 0;                 ///< attempted steps
-  long double closest_approach_larger{}; ///< smallest distance from the larger primary, LU
-  long double closest_approach_smaller{};///< smallest distance from the smaller primary, LU
+  OrbitState<long double> state;           ///< at the end
+  std::size_t steps = 0;                   ///< attempted steps
+  long double closest_approach_larger{};   ///< smallest distance from the larger primary, LU
+  long double closest_approach_smaller{};  ///< smallest distance from the smaller primary, LU
 };
 
 /// The state transition matrix Φ = ∂(r, v)(t) / ∂(r, v)(0), rows and columns x, y, z, vx, vy, vz.

@@ -74,8 +74,7 @@ MotionJet<S, N> from_earth_centred_inertial(const ThreeBodySystem& system,
   static_assert(N >= 1);
   using std::cos;
   using std::sin;
-  MotionJet<S, N> result =
-      frame_detail::rotate_jet(inertial, S(cos(time)), S(sin(time)), true);
+  MotionJet<S, N> result = frame_detail::rotate_jet(inertial, S(cos(time)), S(sin(time)), true);
   result[0].x = result[0].x - S(system.mass_ratio);
   return result;
 }

@@ -90,7 +90,7 @@ std::array<Vector3<S>, 3> pseudo_potential_hessian(const ThreeBodySystem& system
     const S pull = mass / (q * norm(d));
     const S stretch = S(3) * pull / q;
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) rows[i][j] = rows[i][j] + stretch * d[i] * d[j];
+      for (std::size_t j = 0; j < 3; ++j) rows[i][j] = rows[i][j] + stretch * (d[i] * d[j]);
       rows[i][i] = rows[i][i] - pull;
     }
   };
