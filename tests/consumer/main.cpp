@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A program outside the tree: the smallest thing that uses a template and links the library.
+// A program outside the tree: a path of one segment, made, measured, and one refused.
 #include <cstdio>
 
-#include "hodograph/algebra/preimage_algebra.hpp"
-#include "hodograph/foundation/fault.hpp"
-#include "hodograph/foundation/version.hpp"
+#include "hodograph/path/path.hpp"
 
 int main() {
-  const hodograph::Quaternion<double> preimage{1, 2, 3, 4};
-  const auto velocity = hodograph::hodograph_form(preimage, preimage);
-  std::printf("hodograph %s\n", hodograph::version);
-  std::printf("velocity %g %g %g\n", velocity.x, velocity.y, velocity.z);
-  std::printf("%s\n", std::string(name_of(hodograph::FaultCode::zero_speed)).c_str());
+  using Curve = hodograph::SpatialPhCurve<1>;
+  using Path = hodograph::Path<hodograph::Quaternion<double>, 1>;
+  const Curve turn({0, 0, 0}, Curve::Preimage({{{1, 0, 0, 0}, {1, 0, 0, 3}}}), 1);
+  const auto path = Path::create({0, 1}, {turn}, false).value();
+  std::printf("%g %g %g\n", path.position(1.0).x, path.position(1.0).y, path.arc_length());
+  std::printf("%s\n", Path::create({0, 0}, {turn}, false).fault().sentence.c_str());
 }
