@@ -64,10 +64,13 @@ using Spatial = SpatialPath<n>;
 
 Fault wrong_count(const char* quantity, std::size_t expected, std::size_t got,
                   const std::string& why) {
-  return {FaultCode::mismatched_size,
-          why + " need " + std::to_string(expected) + " " + quantity + "; got " +
-              std::to_string(got),
-          std::nullopt, quantity, static_cast<double>(got), static_cast<double>(expected)};
+  return {
+      FaultCode::mismatched_size,
+      why + " need " + std::to_string(expected) + " " + quantity + "; got " + std::to_string(got),
+      std::nullopt,
+      quantity,
+      static_cast<double>(got),
+      static_cast<double>(expected)};
 }
 
 }  // namespace
@@ -76,19 +79,27 @@ Result<AnyPath> AnyPath::create(const PathNumbers& numbers) {
   if (numbers.dimension != 2 && numbers.dimension != 3) {
     return Fault{FaultCode::unsupported,
                  "the dimension of a path is 2 or 3; got " + std::to_string(numbers.dimension),
-                 std::nullopt, "dimension", static_cast<double>(numbers.dimension), std::nullopt};
+                 std::nullopt,
+                 "dimension",
+                 static_cast<double>(numbers.dimension),
+                 std::nullopt};
   }
   if (numbers.preimage_degree > maximum_dynamic_degree) {
     return Fault{FaultCode::unsupported,
                  "the preimage degree is at most " + std::to_string(maximum_dynamic_degree) +
                      "; got " + std::to_string(numbers.preimage_degree),
-                 std::nullopt, "preimage_degree", static_cast<double>(numbers.preimage_degree),
+                 std::nullopt,
+                 "preimage_degree",
+                 static_cast<double>(numbers.preimage_degree),
                  static_cast<double>(maximum_dynamic_degree)};
   }
   if (numbers.knots.size() < 2) {
     return Fault{FaultCode::too_few,
                  "a path needs at least two knots; got " + std::to_string(numbers.knots.size()),
-                 std::nullopt, "knots", static_cast<double>(numbers.knots.size()), 2.0};
+                 std::nullopt,
+                 "knots",
+                 static_cast<double>(numbers.knots.size()),
+                 2.0};
   }
   const std::size_t count = numbers.knots.size() - 1;
   const std::string segments = std::to_string(count) + (count == 1 ? " segment" : " segments") +
@@ -126,9 +137,7 @@ PathNumbers AnyPath::numbers() const {
   });
 }
 
-std::size_t AnyPath::dimension() const {
-  return path_.index() <= maximum_dynamic_degree ? 2 : 3;
-}
+std::size_t AnyPath::dimension() const { return path_.index() <= maximum_dynamic_degree ? 2 : 3; }
 
 std::size_t AnyPath::preimage_degree() const {
   return path_.index() % (maximum_dynamic_degree + 1);

@@ -42,13 +42,14 @@ BernsteinPolynomial<A, n> wild_preimage(Random& random) {
   return a;
 }
 
-/// Gives `next` the value and the first `order` derivatives (with respect to ξ) that `before` has at
-/// its end; `order` ≤ n.
+/// Gives `next` the value and the first `order` derivatives (with respect to ξ) that `before` has
+/// at its end; `order` ≤ n.
 template <class A, std::size_t n>
 void continue_preimage(const PhCurve<A, n>& before, BernsteinPolynomial<A, n>& next,
                        const typename A::Scalar& step, std::size_t order) {
   using S = typename A::Scalar;
-  // b_j = Σ_i C(j,i) Δ^i, Δ^i = step^i (n-i)!/n! A^(i); A^(i) = n!/(n-i)! / h^i · backward difference.
+  // b_j = Σ_i C(j,i) Δ^i, Δ^i = step^i (n-i)!/n! A^(i); A^(i) = n!/(n-i)! / h^i · backward
+  // difference.
   std::array<A, n + 1> difference = before.preimage().coefficients();
   std::array<A, n + 1> forward{};
   const S stretch = step / before.parameter_step();

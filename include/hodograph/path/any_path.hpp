@@ -18,8 +18,8 @@ inline constexpr std::size_t maximum_dynamic_degree = 12;
 
 /// The numbers that define a path, flat, as they stand in files. Segment k owns entries
 /// [k d, (k + 1) d) of `starts`, d = dimension, and [k c, (k + 1) c) of `preimages`,
-/// c = (preimage_degree + 1) · components_per_coefficient(): its Bernstein coefficients one after the
-/// other, each (re, im) in the plane and (w, x, y, z) in space, in the global scaling.
+/// c = (preimage_degree + 1) · components_per_coefficient(): its Bernstein coefficients one after
+/// the other, each (re, im) in the plane and (w, x, y, z) in space, in the global scaling.
 struct PathNumbers {
   std::size_t dimension = 3;  ///< 2 or 3
   std::size_t preimage_degree = 0;
@@ -46,8 +46,8 @@ inline constexpr bool is_path<Path<S, n>> = true;
 
 }  // namespace any_path_detail
 
-/// A planar or spatial path of preimage degree 0 ... maximum_dynamic_degree, in double. A value: copies
-/// are independent. Queries by ξ have the domain and errors of Path.
+/// A planar or spatial path of preimage degree 0 ... maximum_dynamic_degree, in double. A value:
+/// copies are independent. Queries by ξ have the domain and errors of Path.
 class AnyPath {
  public:
   using Alternatives =
@@ -62,8 +62,8 @@ class AnyPath {
 
   /// The path that the numbers define.
   /// Faults: unsupported (a dimension other than 2 and 3, a degree above maximum_dynamic_degree),
-  /// too_few (fewer than 2 knots), mismatched_size (knots, starts and preimages disagree), and those
-  /// of Path::create.
+  /// too_few (fewer than 2 knots), mismatched_size (knots, starts and preimages disagree), and
+  /// those of Path::create.
   static Result<AnyPath> create(const PathNumbers& numbers);
   /// The numbers that define this path; create(numbers()) returns an equal path, bit for bit.
   PathNumbers numbers() const;
@@ -94,7 +94,8 @@ class AnyPath {
   double xi_begin() const { return knots().front(); }
   double xi_end() const { return knots().back(); }
 
-  /// r(ξ) into dimension() numbers, A(ξ) into preimage_components() numbers (contract: the sizes fit).
+  /// r(ξ) into dimension() numbers, A(ξ) into preimage_components() numbers (contract: the sizes
+  /// fit).
   void position(double xi, std::span<double> result) const;
   void preimage(double xi, std::span<double> result) const;
   /// σ(ξ) and s(ξ).
@@ -111,19 +112,19 @@ class AnyPath {
 };
 
 // Compiled once, in the library, for the degrees in use.
-#define HODOGRAPH_PATH_DEGREE(prefix, n)                                                         \
-  prefix template Result<PlanarPath<n>> PlanarPath<n>::create(                                   \
-      std::vector<double>, std::vector<PlanarPhCurve<n>>, bool);                                 \
-  prefix template Result<SpatialPath<n>> SpatialPath<n>::create(                                 \
+#define HODOGRAPH_PATH_DEGREE(prefix, n)                         \
+  prefix template Result<PlanarPath<n>> PlanarPath<n>::create(   \
+      std::vector<double>, std::vector<PlanarPhCurve<n>>, bool); \
+  prefix template Result<SpatialPath<n>> SpatialPath<n>::create( \
       std::vector<double>, std::vector<SpatialPhCurve<n>>, bool);
-#define HODOGRAPH_PATH_DEGREES(prefix)                                                           \
-  HODOGRAPH_PATH_DEGREE(prefix, 1)                                                               \
-  HODOGRAPH_PATH_DEGREE(prefix, 2)                                                               \
-  HODOGRAPH_PATH_DEGREE(prefix, 3)                                                               \
-  HODOGRAPH_PATH_DEGREE(prefix, 4)                                                               \
-  HODOGRAPH_PATH_DEGREE(prefix, 5)                                                               \
-  HODOGRAPH_PATH_DEGREE(prefix, 6)                                                               \
-  HODOGRAPH_PATH_DEGREE(prefix, 7)                                                               \
+#define HODOGRAPH_PATH_DEGREES(prefix) \
+  HODOGRAPH_PATH_DEGREE(prefix, 1)     \
+  HODOGRAPH_PATH_DEGREE(prefix, 2)     \
+  HODOGRAPH_PATH_DEGREE(prefix, 3)     \
+  HODOGRAPH_PATH_DEGREE(prefix, 4)     \
+  HODOGRAPH_PATH_DEGREE(prefix, 5)     \
+  HODOGRAPH_PATH_DEGREE(prefix, 6)     \
+  HODOGRAPH_PATH_DEGREE(prefix, 7)     \
   HODOGRAPH_PATH_DEGREE(prefix, 8)
 
 HODOGRAPH_PATH_DEGREES(extern)
