@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one comparator of the tests: a difference, counted in epsilons of the scalar, of a stated scale.
+// The one comparator of the tests: a difference, counted in epsilons of the scalar, of a stated
+// scale.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -41,7 +42,10 @@ bool for_each_number(const A& actual, const E& expected, const Visit& visit) {
   } else if constexpr (requires { actual.e2; }) {
     return for_each_number(actual.e1, expected.e1, visit) &&
            for_each_number(actual.e2, expected.e2, visit);
-  } else if constexpr (requires { actual.size(); actual[0]; }) {
+  } else if constexpr (requires {
+                         actual.size();
+                         actual[0];
+                       }) {
     if (actual.size() != expected.size()) return false;
     for (std::size_t i = 0; i < actual.size(); ++i) {
       if (!for_each_number(actual[i], expected[i], visit)) return false;
@@ -61,13 +65,13 @@ bool for_each_number(const A& actual, const E& expected, const Visit& visit) {
 /// tolerance: it is derived where it is used, and the scale is the size of the terms that were
 /// rounded.
 template <class A, class E, class Scale>
-::testing::AssertionResult is_close(const char* actual_text, const char* expected_text,
-                                    const char*, const char*, const A& actual, const E& expected,
+::testing::AssertionResult is_close(const char* actual_text, const char* expected_text, const char*,
+                                    const char*, const A& actual, const E& expected,
                                     double tolerance_in_eps, const Scale& scale) {
   std::ostringstream problems;
   std::size_t position = 0, wrong = 0;
-  const bool same_size = compare_detail::for_each_number(
-      actual, expected, [&](const auto& a, const auto& e) {
+  const bool same_size =
+      compare_detail::for_each_number(actual, expected, [&](const auto& a, const auto& e) {
         using Wide = std::remove_cvref_t<decltype(e)>;
         using Narrow = real_of_t<std::remove_cvref_t<decltype(a)>>;
         using std::abs;
@@ -102,7 +106,7 @@ template <class A, class E, class Scale>
 }  // namespace hodograph::test
 
 /// EXPECT_CLOSE(actual, expected, tolerance_in_eps, scale); see hodograph::test::is_close.
-#define EXPECT_CLOSE(actual, expected, tolerance_in_eps, scale)                                \
+#define EXPECT_CLOSE(actual, expected, tolerance_in_eps, scale) \
   EXPECT_PRED_FORMAT4(::hodograph::test::is_close, actual, expected, tolerance_in_eps, scale)
-#define ASSERT_CLOSE(actual, expected, tolerance_in_eps, scale)                                \
+#define ASSERT_CLOSE(actual, expected, tolerance_in_eps, scale) \
   ASSERT_PRED_FORMAT4(::hodograph::test::is_close, actual, expected, tolerance_in_eps, scale)

@@ -45,7 +45,8 @@ class Random {
   }
   /// A whole number in [low, high], every one with the same probability.
   std::int64_t integer(std::int64_t low, std::int64_t high) {
-    const std::uint64_t count = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
+    const std::uint64_t count =
+        static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
     std::uint64_t draw = engine_();
     if (count != 0) {
       const std::uint64_t excess = (std::numeric_limits<std::uint64_t>::max() % count + 1) % count;
@@ -66,7 +67,8 @@ class Random {
     return std::ldexp(sign() * uniform(1.0, 2.0), static_cast<int>(integer(low, high - 1)));
   }
 
-  // ---- vectors and rotations ---------------------------------------------------------------------
+  // ---- vectors and rotations
+  // ---------------------------------------------------------------------
 
   /// Components uniform in [-scale, scale].
   Vector2<double> vector2(double scale) { return components<Vector2<double>>(scale); }
@@ -86,7 +88,8 @@ class Random {
   Vector3<double> unit_vector3() { return direction<Vector3<double>>(); }
   Quaternion<double> rotation() { return direction<Quaternion<double>>(); }
 
-  // ---- near misses and hostile numbers -------------------------------------------------------------
+  // ---- near misses and hostile numbers
+  // -------------------------------------------------------------
 
   /// x moved by a few ulps, up to `most`, in either direction (or not at all).
   double near(double x, int most = 3) {
@@ -97,7 +100,9 @@ class Random {
   }
   /// x with relative noise of a size spread evenly over 2^-52 ... 2^-4.
   double nearly(double x) { return x * (1.0 + spread(-52, -4)); }
-  Vector3<double> nearly(const Vector3<double>& v) { return {nearly(v.x), nearly(v.y), nearly(v.z)}; }
+  Vector3<double> nearly(const Vector3<double>& v) {
+    return {nearly(v.x), nearly(v.y), nearly(v.z)};
+  }
 
   /// A finite double chosen to hurt: zero of either sign, subnormal, next to the ends of the range,
   /// of size 1e±150 (whose square is at the ends of the range), a small whole number, a few ulps
@@ -153,7 +158,8 @@ class Random {
         return near(chance(0.5) ? last_hostile_ : -last_hostile_, 1);
       default:
         for (;;) {
-          const double any = std::ldexp(sign() * uniform(1.0, 2.0), static_cast<int>(integer(-1080, 1022)));
+          const double any =
+              std::ldexp(sign() * uniform(1.0, 2.0), static_cast<int>(integer(-1080, 1022)));
           if (std::isfinite(any)) return any;
         }
     }
