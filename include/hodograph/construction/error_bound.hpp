@@ -52,9 +52,9 @@ double largest_rate(const PhCurve<A, n>& curve) {
 /// polynomial and r the exact curve of the stored start, preimage and parameter step.
 ///
 /// Derivation: a coefficient of d is h/(2n+1) times a sum of weighted products of components of A_i
-/// and A_j. No product passes more than 3n + 8 roundings (form 3, weight 2, sum over i + j = k at most
-/// n, running sum 2n, factors 3), and the products, signs removed, sum to at most largest_rate by
-/// Cauchy's inequality. The last term covers products that underflow: fewer than 16 (n + 1) for
+/// and A_j. No product passes more than 3n + 8 roundings (form 3, weight 2, sum over i + j = k at
+/// most n, running sum 2n, factors 3), and the products, signs removed, sum to at most largest_rate
+/// by Cauchy's inequality. The last term covers products that underflow: fewer than 16 (n + 1) for
 /// each coefficient of the hodograph, each wrong by less than the smallest number.
 template <PreimageAlgebra A, std::size_t n>
 double displacement_error(const PhCurve<A, n>& curve) {
@@ -84,13 +84,11 @@ double position_error(const PhCurve<A, n>& curve) {
     const Enclosure largest(size);
     const Enclosure evaluation =
         Enclosure(accuracy::evaluation_error<double>(PhCurve<A, n>::degree)) * largest;
-    const Enclosure addition =
-        Enclosure(eps) * (Enclosure(std::abs(curve.start()[i])) + largest) +
-        Enclosure(16.0 * static_cast<double>(n + 1) * smallest);
+    const Enclosure addition = Enclosure(eps) * (Enclosure(std::abs(curve.start()[i])) + largest) +
+                               Enclosure(16.0 * static_cast<double>(n + 1) * smallest);
     sum += square(evaluation + addition);
   }
-  const Enclosure computed =
-      sqrt(sum) + Enclosure(2.0 * eps) * Enclosure(largest_rate(curve));
+  const Enclosure computed = sqrt(sum) + Enclosure(2.0 * eps) * Enclosure(largest_rate(curve));
   return (computed + Enclosure(displacement_error(curve))).upper();
 }
 
@@ -105,13 +103,5 @@ NormBound largest_norm(const BernsteinPolynomial<V, d>& f, double radius = 0.0) 
   }
   return error_detail::largest_norm<V::dimension, d>(components, radius);
 }
-
-/// A polynomial with Enclosure coefficients as one with double coefficients and a radius that
-/// covers all that it may be: |f(u) - middle(u)| ≤ radius on [0, 1].
-template <class V, std::size_t d>
-struct CentredPolynomial {
-  BernsteinPolynomial<V, d> middle;
-  double radius;
-};
 
 }  // namespace hodograph

@@ -18,7 +18,8 @@ enum class HermiteChoice {
   /// The end frames rotation-minimising to order m - 1 and the mean twist of the preimage zero:
   /// approximation order 2m + 2 (ten for C⁴ data). No standard form, no singular directions.
   order_ten,
-  /// Every free parameter zero in the standard form of PHODCOS, Algorithm 1: order 4 for C¹ data and 6
+  /// Every free parameter zero in the standard form of PHODCOS, Algorithm 1: order 4 for C¹ data
+  /// and 6
   /// for all others. Single arcs above 180° go the wrong way round.
   order_six,
 };

@@ -12,8 +12,8 @@
 namespace hodograph {
 namespace hermite_detail {
 
-/// The power of two c with c² max|p'| in [1/2, 2): preimages are computed from data scaled by c² and
-/// divided by c, so that no square overflows or vanishes.
+/// The power of two c with c² max|p'| in [1/2, 2): preimages are computed from data scaled by c²
+/// and divided by c, so that no square overflows or vanishes.
 template <class S>
 double prescale(double largest_speed) {
   if (!(largest_speed > 0) || !std::isfinite(largest_speed)) return 1.0;
@@ -29,7 +29,10 @@ std::optional<Fault> point_fault(const HermitePoint<m, S>& point, std::size_t in
       return Fault{FaultCode::not_finite,
                    (r == 0 ? std::string("the position") : "derivative " + std::to_string(r)) +
                        " of point " + std::to_string(index) + " is not finite",
-                   index, r == 0 ? "position" : "derivative", std::nullopt, std::nullopt};
+                   index,
+                   r == 0 ? "position" : "derivative",
+                   std::nullopt,
+                   std::nullopt};
     }
   }
   if (!(S(0) < largest_component(point[1]))) {
@@ -37,7 +40,10 @@ std::optional<Fault> point_fault(const HermitePoint<m, S>& point, std::size_t in
                  "the velocity of point " + std::to_string(index) +
                      " is zero: a PH curve has no direction there; give it a speed or split the "
                      "data at the stop",
-                 index, "velocity", 0.0, std::nullopt};
+                 index,
+                 "velocity",
+                 0.0,
+                 std::nullopt};
   }
   return std::nullopt;
 }
@@ -46,8 +52,11 @@ template <class S>
 std::optional<Fault> step_fault(const S& h) {
   if (is_finite(h) && S(0) < h) return std::nullopt;
   return Fault{FaultCode::outside_domain,
-               "the parameter step must be positive; got " + to_text(to_double(h)), std::nullopt,
-               "parameter_step", to_double(h), 0.0};
+               "the parameter step must be positive; got " + to_text(to_double(h)),
+               std::nullopt,
+               "parameter_step",
+               to_double(h),
+               0.0};
 }
 
 /// Judges a finished segment: its numbers, its fibre, and how far it wanders from its data.
@@ -61,9 +70,13 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
   const R angle = accuracy::opposite_fibre_angle<S>();
   if (!(value_of(segment.closeness) > angle * angle)) {
     return Fault{FaultCode::no_interpolant,
-                 where + ": the displacement asks the curve to turn back on itself (its middle "
-                         "fibre is opposite to its neighbours); use shorter segments",
-                 index, "closeness", to_double(segment.closeness), to_double(R(angle * angle))};
+                 where +
+                     ": the displacement asks the curve to turn back on itself (its middle "
+                     "fibre is opposite to its neighbours); use shorter segments",
+                 index,
+                 "closeness",
+                 to_double(segment.closeness),
+                 to_double(R(angle * angle))};
   }
   S control_speed(0);
   for (const auto& a : segment.preimage.coefficients()) control_speed += dot(a, a);
@@ -83,7 +96,9 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
                      to_text(to_double(S(control_speed / size))) +
                      " times as far as its data reach; a speed is too small beside its "
                      "derivatives, or the parameter steps do not suit the points",
-                 index, "wandering", to_double(S(control_speed / size)),
+                 index,
+                 "wandering",
+                 to_double(S(control_speed / size)),
                  to_double(accuracy::wild_interpolant<S>())};
   }
   return std::nullopt;
@@ -91,16 +106,16 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
 
 /// The preimage of a segment in the data's own scale, after a constant roll.
 template <class S, std::size_t n>
-BernsteinPolynomial<Quaternion<S>, n> restored(const BernsteinPolynomial<Quaternion<S>, n>& preimage,
-                                               const Roll<S>& roll, double scale) {
+BernsteinPolynomial<Quaternion<S>, n> restored(
+    const BernsteinPolynomial<Quaternion<S>, n>& preimage, const Roll<S>& roll, double scale) {
   const S factor(1.0 / scale);
   return preimage.mapped([&](const Quaternion<S>& a) { return factor * (a * roll); });
 }
 
 /// The curve of a preimage whose middle coefficient is settled on the stored numbers: the position
 /// polynomial is summed from rounded products, so the end it reaches may miss the datum by more
-/// than it need. While the miss exceeds accuracy::settled_end of the largest displacement, the middle
-/// coefficient takes a Newton step, 2h A_p ⋆ dA = miss; the best of at most four is kept.
+/// than it need. While the miss exceeds accuracy::settled_end of the largest displacement, the
+/// middle coefficient takes a Newton step, 2h A_p ⋆ dA = miss; the best of at most four is kept.
 template <std::size_t m, class S>
 SpatialPhCurve<2 * m, S> settled_curve(const Vector3<S>& start, const Vector3<S>& displacement,
                                        BernsteinPolynomial<Quaternion<S>, 2 * m> preimage,
@@ -150,12 +165,15 @@ inline Fault no_reference_fault(std::size_t index) {
           "segment " + std::to_string(index) +
               ": the end velocities are opposite and the end points coincide, so there is no "
               "standard form; use order_ten or shorter segments",
-          index, "velocity", std::nullopt, std::nullopt};
+          index,
+          "velocity",
+          std::nullopt,
+          std::nullopt};
 }
 
 /// The twist that gives the Bernstein coefficients of the local preimage (√h A) the τ of Lemma 1:
-/// <A^(j), A i> = n!/(n-j)! h^-j Σ_{i=1..j} (-1)^{j-i} C(j,i) (-τ_i), over h for the local scale. side is
-/// +1 at the start and -1 at the end.
+/// <A^(j), A i> = n!/(n-j)! h^-j Σ_{i=1..j} (-1)^{j-i} C(j,i) (-τ_i), over h for the local scale.
+/// side is +1 at the start and -1 at the end.
 template <class S, std::size_t m>
 struct GivenTau {
   const std::array<S, (m > 1 ? m - 1 : 1)>& tau;
@@ -233,9 +251,9 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
   if (auto fault = ends_fault<m, S>(begin, end, h)) return *fault;
   const std::array<HermitePoint<m, S>, 2> points{begin, end};
   const double scale = prescale_of<m, S>(points);
-  const auto segment = checked_segment<m, S>(begin, end, checked_jet<m, S>(begin, scale, choice),
-                                             checked_jet<m, S>(end, scale, choice), h, scale,
-                                             choice, 0);
+  const auto segment =
+      checked_segment<m, S>(begin, end, checked_jet<m, S>(begin, scale, choice),
+                            checked_jet<m, S>(end, scale, choice), h, scale, choice, 0);
   if (!segment) return segment.fault();
   return settled_curve<m, S>(begin[0], end[0] - begin[0],
                              restored(segment->preimage, Roll<S>{}, scale), h);
@@ -265,10 +283,9 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
   if (!reference) return no_reference_fault(0);
   const auto turn = [](const S& angle) { return Roll<S>{cos(angle), sin(angle)}; };
   const Vector3<S> mean_velocity = (S(scale * scale) / h) * (end[0] - begin[0]);
-  const auto segment = reference_segment<S, m>(start_jet, far_jet, h, mean_velocity, *reference,
-                                               turn(parameters.theta_begin),
-                                               turn(parameters.theta_middle),
-                                               turn(parameters.theta_end));
+  const auto segment = reference_segment<S, m>(
+      start_jet, far_jet, h, mean_velocity, *reference, turn(parameters.theta_begin),
+      turn(parameters.theta_middle), turn(parameters.theta_end));
   if (auto fault = segment_fault<m, S>(segment, begin, end, h, scale, 0)) return *fault;
   return settled_curve<m, S>(begin[0], end[0] - begin[0],
                              restored(segment.preimage, Roll<S>{}, scale), h);
@@ -283,13 +300,18 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
   if (points.size() < 2) {
     return Fault{FaultCode::too_few,
                  "a path needs at least 2 points; got " + std::to_string(points.size()),
-                 std::nullopt, "points", static_cast<double>(points.size()), 2.0};
+                 std::nullopt,
+                 "points",
+                 static_cast<double>(points.size()),
+                 2.0};
   }
   if (knots.size() != points.size()) {
     return Fault{FaultCode::mismatched_size,
                  std::to_string(points.size()) + " points need as many knots; got " +
                      std::to_string(knots.size()),
-                 std::nullopt, "knots", static_cast<double>(knots.size()),
+                 std::nullopt,
+                 "knots",
+                 static_cast<double>(knots.size()),
                  static_cast<double>(points.size())};
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -306,13 +328,12 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
       fault->code = FaultCode::not_increasing;
       fault->index = k + 1;
       fault->sentence = "knots must increase strictly; knot " + std::to_string(k + 1) + " is " +
-                        to_text(to_double(knots[k + 1])) + " after " +
-                        to_text(to_double(knots[k]));
+                        to_text(to_double(knots[k + 1])) + " after " + to_text(to_double(knots[k]));
       return *fault;
     }
     const EndJet<S, m> next = checked_jet<m, S>(points[k + 1], scale, choice);
-    const auto segment = checked_segment<m, S>(points[k], points[k + 1], jet, next, h, scale,
-                                               choice, k);
+    const auto segment =
+        checked_segment<m, S>(points[k], points[k + 1], jet, next, h, scale, choice, k);
     if (!segment) return segment.fault();
     segments.push_back(settled_curve<m, S>(points[k][0], points[k + 1][0] - points[k][0],
                                            restored(segment->preimage, roll, scale), h));

@@ -3,8 +3,8 @@
 // scalar, lanes included. Whoever calls it has checked the data and judges the outcome.
 //
 // Notation: X ⋆ Y = vec(X i Y*); Q = cos + i sin acts on the right and rolls a preimage. The
-// preimage is A = Ã + δ B_m^n: Ã, of degree N = 2m - 1, is the two-point Taylor interpolant of the end
-// preimages, and δ is the one quaternion left to meet the end point.
+// preimage is A = Ã + δ B_m^n: Ã, of degree N = 2m - 1, is the two-point Taylor interpolant of the
+// end preimages, and δ is the one quaternion left to meet the end point.
 #pragma once
 
 #include <array>
@@ -154,12 +154,13 @@ TwistFreeRoll<S> twist_free_roll(const Halves<S, m>& tilde) {
   const S cosine = cosine_part * reciprocal, sine = sine_part * reciprocal;
   const Roll<S> first{k * cosine + root * sine, root * cosine - k * sine};
   const Roll<S> second{k * cosine - root * sine, -(root * cosine) - k * sine};
-  const auto prefer_second = dot(start_moment, end_moment * first) <
-                             dot(start_moment, end_moment * second);
+  const auto prefer_second =
+      dot(start_moment, end_moment * first) < dot(start_moment, end_moment * second);
   const Roll<S> chosen{select(prefer_second, second.cosine, first.cosine),
                        select(prefer_second, second.sine, first.sine)};
   // One step back onto the circle: the rounding of cosine² + sine² - 1 is halved away.
-  const S correction = S(1.5) - S(0.5) * (chosen.cosine * chosen.cosine + chosen.sine * chosen.sine);
+  const S correction =
+      S(1.5) - S(0.5) * (chosen.cosine * chosen.cosine + chosen.sine * chosen.sine);
   return {{select(vanishes, S(1), chosen.cosine * correction),
            select(vanishes, S(0), chosen.sine * correction)},
           abs(ratio_c) - S(1)};
@@ -224,8 +225,8 @@ MiddleCoefficient<S> middle_coefficient(const Halves<S, m>& tilde, const Vector3
     moment = moment + S(t.moment[i]) * (tilde.start[i] + tilde.end[i]);
   }
   const S gram(t.middle);
-  const Vector3<S> target = gram * (mean_velocity - integral_of_square(tilde)) +
-                            hodograph_form(moment, moment);
+  const Vector3<S> target =
+      gram * (mean_velocity - integral_of_square(tilde)) + hodograph_form(moment, moment);
   const auto nearest = nearest_in_fibre(target, reference ? *reference : moment);
   return {(S(1) / gram) * (nearest.member - moment), nearest.closeness};
 }
@@ -269,7 +270,8 @@ template <class S, std::size_t m>
 Segment<S, m> twist_free_segment(const EndJet<S, m>& start, const EndJet<S, m>& end, const S& h,
                                  const Vector3<S>& mean_velocity) {
   const auto& t = tables<S, m>();
-  Halves<S, m> tilde{end_coefficients<S, m>(start, h, t.low), end_coefficients<S, m>(end, -h, t.low)};
+  Halves<S, m> tilde{end_coefficients<S, m>(start, h, t.low),
+                     end_coefficients<S, m>(end, -h, t.low)};
   const auto twist_free = twist_free_roll<S, m>(tilde);
   tilde.end = rolled<S, m>(tilde.end, twist_free.roll);
   const auto middle = middle_coefficient<S, m>(tilde, mean_velocity, nullptr);
@@ -307,8 +309,7 @@ Segment<S, m> reference_segment(const EndJet<S, m>& start, const EndJet<S, m>& e
                            end_coefficients<S, m>(rolled_end, -h, t.low)};
   const Quaternion<S> middle_reference = reference * compose(turn_middle, back);
   const auto middle = middle_coefficient<S, m>(tilde, mean_velocity, &middle_reference);
-  return {assemble<S, m>(start, rolled_end, h, tilde, middle.delta), roll, S(-1),
-          middle.closeness};
+  return {assemble<S, m>(start, rolled_end, h, tilde, middle.delta), roll, S(-1), middle.closeness};
 }
 
 }  // namespace hodograph::hermite_detail
