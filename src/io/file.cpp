@@ -15,12 +15,12 @@
 #include <system_error>
 #include <utility>
 
-#include "quoted.hpp"
+#include "foreign_text.hpp"
 
 namespace hodograph {
 namespace {
 
-using io_detail::quoted;
+using io_detail::in_quotes;
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 constexpr mode_t new_file_mode = 0666;  // less the user's umask
@@ -37,7 +37,7 @@ Fault not_written(const std::string& path, int error_number) {
 }
 
 std::string shown(const std::string& path, const char* standard_stream) {
-  return path == "-" ? standard_stream : quoted(path);
+  return path == "-" ? standard_stream : in_quotes(path);
 }
 
 std::string parent_of(const std::string& path) {

@@ -9,15 +9,15 @@
 #include <limits>
 #include <optional>
 
+#include "foreign_text.hpp"
 #include "number.hpp"
-#include "quoted.hpp"
 
 namespace hodograph {
 namespace {
 
+using io_detail::in_quotes;
 using io_detail::NumberKind;
 using io_detail::parse_number;
-using io_detail::quoted;
 
 constexpr char blank = ' ';
 constexpr std::string_view blanks = " \t";
@@ -113,7 +113,7 @@ bool is_number_like(const Field& field) {
 /// Why a field is refused, after "line 3, column 'x': ".
 std::string complaint(const Field& field, NumberKind kind, char separator) {
   if (field.text.empty()) return "the field is empty; a number is needed";
-  const std::string text = quoted(field.text);
+  const std::string text = in_quotes(field.text);
   if (kind == NumberKind::too_large) return text + " is beyond the largest double";
   if (kind == NumberKind::not_finite) return text + " is not a finite number";
   std::string with_point(field.text);
@@ -146,7 +146,7 @@ std::pair<std::string_view, std::string_view> name_and_unit(std::string_view nam
 }  // namespace
 
 std::string Table::title(std::size_t column) const {
-  if (column < names.size() && !names[column].empty()) return quoted(names[column]);
+  if (column < names.size() && !names[column].empty()) return in_quotes(names[column]);
   return std::to_string(column + 1);
 }
 
@@ -160,7 +160,7 @@ Result<std::size_t> Table::column(std::string_view name) const {
   const std::vector<std::size_t>& found = whole.empty() ? without_unit : whole;
   if (found.size() == 1) return found[0];
   if (found.size() > 1) {
-    return malformed("two columns are called " + quoted(name) + ": number " +
+    return malformed("two columns are called " + in_quotes(name) + ": number " +
                          std::to_string(found[0] + 1) + " and number " +
                          std::to_string(found[1] + 1) + "; give the number",
                      "column");
@@ -177,7 +177,8 @@ Result<std::size_t> Table::column(std::string_view name) const {
     there += (i == 0 ? "" : ", ") + title(i);
   }
   if (column_count > most_listed) there += ", ...";
-  return malformed("there is no column " + quoted(name) + "; the columns are " + there, "column");
+  return malformed("there is no column " + in_quotes(name) + "; the columns are " + there,
+                   "column");
 }
 
 Result<Table> read_table(std::string_view text, const std::string& source) {

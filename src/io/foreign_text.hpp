@@ -9,7 +9,7 @@ namespace hodograph::io_detail {
 
 /// The text in single quotes, cut to a readable length; bytes that are not printable (also those
 /// that are no UTF-8) appear as \xNN, so that a hostile name cannot break a line or a terminal.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// True when the text is valid UTF-8 (no surrogates, nothing overlong, nothing above U+10FFFF).
 bool is_utf8(std::string_view text);

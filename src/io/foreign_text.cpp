@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Foreign text inside our sentences; UTF-8.
-#include "quoted.hpp"
+#include "foreign_text.hpp"
 
 #include <cstdint>
 
@@ -60,7 +60,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string out = "'";
   for (std::size_t shown = 0; !text.empty(); ++shown) {
     if (shown == longest_shown) {

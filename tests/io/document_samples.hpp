@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Path documents for the tests of this folder.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hodograph/io/document.hpp"
+#include "tests/support/paths.hpp"
+#include "tests/support/random.hpp"
+
+namespace hodograph::test {
+
+/// A spatial document of two segments in which every member is present.
+inline PathDocument full_document(Random& random) {
+  const auto path = random_path<SpatialPath<2>>(random, 2, 1);
+  PathDocument document{path};
+  document.name = "loop \"A\"\n\xce\xbe";
+  document.length_unit = "LU";
+  document.parameter_unit = "TU";
+  document.roll = LinearRoll<double>{path.xi_begin(), 0.25, -0.125};
+  document.provenance = {"hodograph", "orbit.csv", "C1 Hermite", "order ten", 0.5};
+  document.promises.continuity = ContinuityOrders{2, 1, 1, 0};
+  document.promises.error = ErrorPromise{Enclosure(0.25, 0.375), true, "orbit.csv"};
+  document.promises.arc_length = Enclosure(3.0, 3.5);
+  document.promises.smallest_speed = Enclosure(0.5, 0.625);
+  document.promises.largest_speed = Enclosure(2.0, 2.5);
+  document.promises.curvature_bound = 7.5;
+  return document;
+}
+
+}  // namespace hodograph::test
