@@ -86,28 +86,4 @@ struct ProductWeights {
   }
 };
 
-/// The n + 1 values B_i^n(u); they are not negative on [0, 1] and sum to 1 up to rounding. Each
-/// is computed by at most n + 1 multiplications, so its relative error is at most (n + 2) ε/2
-/// (1 - u is correctly rounded, which counts n times).
-template <std::size_t n, class S>
-constexpr std::array<S, n + 1> bernstein_values(const S& u) {
-  using R = real_of_t<S>;
-  const auto& row = constant_table<R, BinomialRow<R, n>>();
-  std::array<S, n + 1> rising, falling;
-  const S v = S(1) - u;
-  rising[0] = S(1);
-  falling[n] = S(1);
-  // Powers by halves: the chain of dependent products has length log₂ n.
-  if constexpr (n > 0) {
-    rising[1] = u;
-    falling[n - 1] = v;
-  }
-  for (std::size_t i = 2; i <= n; ++i) {
-    rising[i] = rising[i / 2] * rising[i - i / 2];
-    falling[n - i] = falling[n - i / 2] * falling[n - (i - i / 2)];
-  }
-  for (std::size_t i = 0; i <= n; ++i) rising[i] = (S(row[i]) * rising[i]) * falling[i];
-  return rising;
-}
-
 }  // namespace hodograph

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "hodograph/bernstein/binomial.hpp"
+#include "hodograph/bernstein/weights.hpp"
 
 namespace hodograph {
 
@@ -40,7 +40,8 @@ class BernsteinPolynomial {
   constexpr explicit BernsteinPolynomial(const std::array<V, n + 1>& coefficients)
       : c_(coefficients) {}
 
-  constexpr const std::array<V, n + 1>& coefficients() const { return c_; }
+  constexpr const std::array<V, n + 1>& coefficients() const& { return c_; }
+  constexpr std::array<V, n + 1> coefficients() && { return c_; }
   constexpr const V& operator[](std::size_t i) const { return c_[i]; }
   constexpr V& operator[](std::size_t i) { return c_[i]; }
 
@@ -71,7 +72,8 @@ class BernsteinPolynomial {
     for (std::size_t order = steps + 1; order-- > 0;) {
       std::array<V, steps + 1> difference = point;
       for (std::size_t j = 0; j < order; ++j) {
-        for (std::size_t i = 0; i + j < order; ++i) difference[i] = difference[i + 1] - difference[i];
+        for (std::size_t i = 0; i + j < order; ++i)
+          difference[i] = difference[i + 1] - difference[i];
       }
       result[order] = factor * difference[0];
       if (order > 0) {
@@ -116,8 +118,8 @@ class BernsteinPolynomial {
     BernsteinPolynomial<V, m> result;
     for (std::size_t i = 0; i <= m; ++i) {
       for (std::size_t j = (i > m - n ? i - (m - n) : 0); j <= n && j <= i; ++j) {
-        result[i] = result[i] + ratio<Scalar>(binomial(n, j) * binomial(m - n, i - j),
-                                              binomial(m, i)) * c_[j];
+        result[i] = result[i] +
+                    ratio<Scalar>(binomial(n, j) * binomial(m - n, i - j), binomial(m, i)) * c_[j];
       }
     }
     return result;
@@ -165,11 +167,28 @@ class BernsteinPolynomial {
                                    const BernsteinPolynomial&) = default;
 
  private:
+  // The order of weighted_sum in weights.hpp: both halves from the ends inwards, terms two by two,
+  // their sum, and the middle term of an even degree.
   template <std::size_t size>
   constexpr V weighted(const std::array<Scalar, size>& weights, std::size_t first) const {
-    V sum = weights[0] * c_[first];
-    for (std::size_t i = 1; i < size; ++i) sum = sum + weights[i] * c_[first + i];
-    return sum;
+    if constexpr (size == 1) {
+      return c_[first];
+    } else {
+      constexpr std::size_t m = size - 1, half = size / 2;
+      const auto term = [&](std::size_t i) { return weights[i] * c_[first + i]; };
+      V front = term(0), back = term(m);
+      if constexpr (half % 2 == 0) {
+        front = front + term(1);
+        back = back + term(m - 1);
+      }
+      for (std::size_t i = 2 - half % 2; i < half; i += 2) {
+        front = front + (term(i) + term(i + 1));
+        back = back + (term(m - i) + term(m - i - 1));
+      }
+      V sum = front + back;
+      if constexpr (m % 2 == 0) sum = sum + term(m / 2);
+      return sum;
+    }
   }
 
   // De Casteljau at u: the part on [0, u] (left) or on [u, 1].

@@ -25,17 +25,20 @@ PathState<A> evaluate(const Path<A, n>& path, const typename A::Scalar& xi) {
   using S = typename A::Scalar;
   const auto at = path.locate(xi);
   const auto& curve = path.segment(at.segment);
-  const auto jet = curve.template preimage_jet<1>(at.u);
-  const S sigma = speed_form(jet[0], jet[0]);
+  const CurvePoint<A> point = curve.evaluate(at.u);
+  const S sigma = speed_form(point.preimage, point.preimage);
   if (!(S(0) < sigma)) {
-    throw Error(Fault{FaultCode::zero_speed,
-                      "the path stands still at xi = " + to_text(to_double(xi)) +
-                          ": no frame exists there",
-                      at.segment, "speed", 0.0, std::nullopt});
+    throw Error(
+        Fault{FaultCode::zero_speed,
+              "the path stands still at xi = " + to_text(to_double(xi)) + ": no frame exists there",
+              at.segment, "speed", 0.0, std::nullopt});
   }
   const S reciprocal = S(1) / sigma;
-  return {curve.position(at.u), reciprocal * scaled_frame(jet[0]),
-          (S(2) * reciprocal) * body_rate_form(jet[0], jet[1]), sigma, path.arc_length(at)};
+  const S rate_scale = (S(2) * reciprocal) * (S(1) / curve.parameter_step());
+  return {curve.start() + point.integral.displacement, reciprocal * scaled_frame(point.preimage),
+          rate_scale * body_rate_form(point.preimage, point.preimage_rate), sigma,
+          at.u == S(1) ? path.knot_arc_lengths()[at.segment + 1]
+                       : path.knot_arc_lengths()[at.segment] + point.integral.arc_length};
 }
 
 }  // namespace hodograph

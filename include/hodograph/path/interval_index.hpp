@@ -40,9 +40,12 @@ class IntervalIndex {
     const std::size_t b = bucket(breakpoints, x);
     std::size_t low = bucket_start_[b];
     const std::size_t last = breakpoints.size() - 2;
+    // Most buckets hold one breakpoint or none: a step without a branch, then usually no more.
+    low += static_cast<std::size_t>(low < last) &
+           static_cast<std::size_t>(!(x < breakpoints[low + 1]));
     std::size_t high = b + 1 < bucket_start_.size() ? bucket_start_[b + 1] + 1 : last;
     if (high > last) high = last;
-    if (high - low <= 8) {
+    if (high <= low + 8) {
       while (low < high && !(x < breakpoints[low + 1])) ++low;
       return low;
     }
@@ -58,8 +61,10 @@ class IntervalIndex {
  private:
   std::size_t bucket(const std::vector<S>& breakpoints, const S& x) const {
     const double position = to_double(S((x - breakpoints.front()) * buckets_per_unit_));
-    const double last = static_cast<double>(bucket_start_.size() - 1);
-    return position > 0 ? static_cast<std::size_t>(position < last ? position : last) : 0;
+    const double last = static_cast<double>(static_cast<std::int64_t>(bucket_start_.size()) - 1);
+    return position > 0 ? static_cast<std::size_t>(
+                              static_cast<std::int64_t>(position < last ? position : last))
+                        : 0;
   }
 
   S buckets_per_unit_{0};

@@ -147,7 +147,8 @@ class Path {
 
   static void require_inside(const Scalar& x, const Scalar& low, const Scalar& high,
                              const char* quantity) {
-    if (!(low <= x && x <= high)) throw_outside(to_double(x), to_double(low), to_double(high), quantity);
+    if (!(low <= x && x <= high))
+      throw_outside(to_double(x), to_double(low), to_double(high), quantity);
   }
   [[noreturn]] static void throw_outside(double x, double low, double high, const char* quantity) {
     throw Error(Fault{FaultCode::outside_domain,
@@ -155,9 +156,10 @@ class Path {
                           ", " + to_text(high) + "]",
                       std::nullopt, quantity, x, x < low ? low : high});
   }
+  // The parameter step is the difference of the knots (create checks it), and rounding is monotone:
+  // the quotient is at most 1.
   Scalar local_parameter(std::size_t k, const Scalar& xi) const {
-    const Scalar u = (xi - knots_[k]) / segments_[k].parameter_step();
-    return Scalar(1) < u ? Scalar(1) : u;
+    return (xi - knots_[k]) / (knots_[k + 1] - knots_[k]);
   }
 
   bool closed_ = false;
@@ -187,8 +189,8 @@ std::optional<Fault> join_fault(const Curve& before, const Curve& after, std::si
   const auto gap = largest_component(after.start() - before.end());
   S scale = largest_component(before.end());
   for (const Curve* curve : {&before, &after}) {
-    for (const auto& c : curve->displacement().coefficients()) {
-      if (const S size = largest_component(c); scale < size) scale = size;
+    for (const auto& c : curve->integral().coefficients()) {
+      if (const S size = largest_component(c.displacement); scale < size) scale = size;
     }
   }
   const S allowed = S(accuracy::join_error<S>()) * scale;
@@ -197,7 +199,10 @@ std::optional<Fault> join_fault(const Curve& before, const Curve& after, std::si
                "the path is torn at knot " + std::to_string(knot) + ": the segments are " +
                    to_text(to_double(gap)) + " apart, at most " + to_text(to_double(allowed)) +
                    " is rounding",
-               knot, "gap", to_double(gap), to_double(allowed)};
+               knot,
+               "gap",
+               to_double(gap),
+               to_double(allowed)};
 }
 
 }  // namespace path_detail
@@ -206,15 +211,21 @@ template <PreimageAlgebra A, std::size_t n>
 Result<Path<A, n>> Path<A, n>::create(std::vector<Scalar> knots, std::vector<Curve> segments,
                                       bool closed) {
   if (segments.empty()) {
-    return Fault{FaultCode::too_few, "a path needs at least one segment; got none",
-                 std::nullopt, "segments", 0.0, 1.0};
+    return Fault{FaultCode::too_few,
+                 "a path needs at least one segment; got none",
+                 std::nullopt,
+                 "segments",
+                 0.0,
+                 1.0};
   }
   if (knots.size() != segments.size() + 1) {
     return Fault{FaultCode::mismatched_size,
                  std::to_string(segments.size()) + " segments need " +
                      std::to_string(segments.size() + 1) + " knots; got " +
                      std::to_string(knots.size()),
-                 std::nullopt, "knots", static_cast<double>(knots.size()),
+                 std::nullopt,
+                 "knots",
+                 static_cast<double>(knots.size()),
                  static_cast<double>(segments.size() + 1)};
   }
   for (std::size_t k = 0; k < knots.size(); ++k) {
@@ -223,10 +234,10 @@ Result<Path<A, n>> Path<A, n>::create(std::vector<Scalar> knots, std::vector<Cur
                                    "knot " + std::to_string(k) + " is not a finite number");
     }
     if (k > 0 && !(knots[k - 1] < knots[k])) {
-      return path_detail::fault_at(
-          FaultCode::not_increasing, k, "knot", to_double(knots[k]),
-          "knots must increase strictly; knot " + std::to_string(k) + " is " +
-              to_text(to_double(knots[k])) + " after " + to_text(to_double(knots[k - 1])));
+      return path_detail::fault_at(FaultCode::not_increasing, k, "knot", to_double(knots[k]),
+                                   "knots must increase strictly; knot " + std::to_string(k) +
+                                       " is " + to_text(to_double(knots[k])) + " after " +
+                                       to_text(to_double(knots[k - 1])));
     }
     if (k > 0 && !(segments[k - 1].parameter_step() == knots[k] - knots[k - 1])) {
       return path_detail::fault_at(
