@@ -2,6 +2,7 @@
 // The parts of Ball that need not be inline, and its elementary functions.
 #include "hodograph/certify/ball.hpp"
 
+#include <array>
 #include <limits>
 
 namespace hodograph {
@@ -86,8 +87,8 @@ Ball abs(const Ball& a) {
 }
 
 Ball pow(const Ball& a, int exponent) {
-  const unsigned size = exponent < 0 ? 0u - static_cast<unsigned>(exponent)
-                                     : static_cast<unsigned>(exponent);
+  const unsigned size =
+      exponent < 0 ? 0u - static_cast<unsigned>(exponent) : static_cast<unsigned>(exponent);
   Ball r;
   arb_pow_ui(r.get(), a.get(), size, Ball::precision);
   return exponent < 0 ? Ball(1) / r : r;
@@ -96,12 +97,27 @@ Ball pow(const Ball& a, int exponent) {
 Ball pow(const Ball& a, const Ball& exponent) { return exp(exponent * log(a)); }
 
 Ball convolution(const Ball* a, const Ball* b, std::size_t k, std::size_t first, std::size_t last) {
+  // Constants and linear functions are series that are mostly zeros.
+  while (first <= last && (a[first].is_zero() || b[k - first].is_zero())) ++first;
+  while (first < last && (a[last].is_zero() || b[k - last].is_zero())) --last;
   Ball r;
-  if (first <= last) {
+  if (first == last) {
+    arb_mul(r.get(), a[first].get(), b[k - first].get(), Ball::precision);
+  } else if (first < last) {
     arb_dot(r.get(), nullptr, 0, a[first].get(), 1, b[k - first].get(), -1,
             static_cast<slong>(last - first + 1), Ball::precision);
   }
   return r;
+}
+
+Ball divided_by_count(const Ball& a, std::size_t count) {
+  static const auto reciprocals = [] {
+    std::array<Ball, 16> table;
+    for (std::size_t k = 1; k < table.size(); ++k) table[k] = Ball(1) / Ball(k);
+    return table;
+  }();
+  if (count == 1) return a;
+  return 1 < count && count < reciprocals.size() ? a * reciprocals[count] : a / Ball(count);
 }
 
 }  // namespace hodograph

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A number known to lie in a ball: Arb's arb_t as a scalar, so that a function template evaluated at
-// a Ball returns an enclosure of its values, and at a Taylor<Ball, K> one of its derivatives.
+// A number known to lie in a ball: Arb's arb_t as a scalar, so that a function template evaluated
+// at a Ball returns an enclosure of its values, and at a Taylor<Ball, K> one of its derivatives.
 #pragma once
 
 #include <arb.h>
 
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <stdexcept>
@@ -58,7 +59,9 @@ class Ball {
     arb_swap(value_, other.value_);
     return *this;
   }
-  ~Ball() { arb_clear(value_); }
+  ~Ball() {
+    if (owns_memory()) arb_clear(value_);
+  }
 
   /// All numbers within `radius` ≥ 0 of the ball's members.
   Ball widened(const Ball& radius) const {
@@ -68,7 +71,16 @@ class Ball {
   }
 
   /// The double nearest to the midpoint.
-  double midpoint() const { return arf_get_d(arb_midref(value_), ARF_RND_NEAR); }
+  double midpoint() const {
+    const arf_struct& m = *arb_midref(value_);
+    if (m.size >> 1 == 1 && ordinary_exponent < m.exp && m.exp < -ordinary_exponent) {
+      // One limb: the conversion rounds to nearest, the scaling is exact.
+      const double size =
+          std::ldexp(static_cast<double>(m.d.noptr.d[0]), static_cast<int>(m.exp) - FLINT_BITS);
+      return (m.size & 1) != 0 ? -size : size;
+    }
+    return arf_get_d(&m, ARF_RND_NEAR);
+  }
   /// An upper bound of |x - midpoint()| for all members x; infinite where the ball is.
   double radius() const;
   /// An enclosure of all members; the whole line where the ball is not finite.
@@ -76,6 +88,13 @@ class Ball {
 
   arb_ptr get() { return value_; }
   arb_srcptr get() const { return value_; }
+
+  /// True for the number 0 itself.
+  bool is_zero() const {
+    const arf_struct& m = *arb_midref(value_);
+    return m.size == 0 && m.exp == 0 && arb_radref(value_)->man == 0 &&
+           arb_radref(value_)->exp == 0;
+  }
 
   friend Ball operator+(const Ball& a, const Ball& b) {
     Ball r;
@@ -123,12 +142,21 @@ class Ball {
   }
 
  private:
+  // Exponents of midpoints that need no care on their way to double.
+  static constexpr slong ordinary_exponent = -1000;
+
+  bool owns_memory() const {
+    const arf_struct& m = *arb_midref(value_);
+    return ARF_HAS_PTR(&m) || COEFF_IS_MPZ(m.exp) || COEFF_IS_MPZ(arb_radref(value_)->exp);
+  }
+
   arb_t value_;
 };
 
 inline bool is_finite(const Ball& a) { return arb_is_finite(a.get()) != 0; }
 
-// ---- elementary functions ------------------------------------------------------------------------
+// ---- elementary functions
+// ------------------------------------------------------------------------
 
 Ball sqrt(const Ball& a);
 Ball exp(const Ball& a);
@@ -142,7 +170,8 @@ Ball tanh(const Ball& a);
 Ball atan(const Ball& a);
 Ball asin(const Ball& a);
 Ball acos(const Ball& a);
-/// The angle of (x, y) in (-π, π); not finite where the ball of (x, y) touches the cut x ≤ 0, y = 0.
+/// The angle of (x, y) in (-π, π); not finite where the ball of (x, y) touches the cut x ≤ 0, y =
+/// 0.
 Ball atan2(const Ball& y, const Ball& x);
 Ball abs(const Ball& a);
 Ball pow(const Ball& a, int exponent);
@@ -151,5 +180,8 @@ Ball pow(const Ball& a, const Ball& exponent);
 
 /// Σ_{j=first..last} a_j b_{k-j} with one rounding: the sum that Taylor arithmetic consists of.
 Ball convolution(const Ball* a, const Ball* b, std::size_t k, std::size_t first, std::size_t last);
+
+/// a / count, for small counts by multiplying with an enclosure of the reciprocal.
+Ball divided_by_count(const Ball& a, std::size_t count);
 
 }  // namespace hodograph

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A certificate for a fit: a rigorous enclosure of max |γ(ξ) - p(ξ)| for a curve γ that is a template
-// on its scalar.
+// A certificate for a fit: a rigorous enclosure of max |γ(ξ) - p(ξ)| for a curve γ that is a
+// template on its scalar.
 //
 // Method. On an interval with midpoint m and half width w, ξ = m + w s, Taylor's theorem gives for
 // every component, with a_k the coefficients at m and a_K one of the members of the coefficient of
@@ -43,8 +43,7 @@ std::vector<ErrorBound> segment_errors(const Curve& gamma, const Path<A, n>& pat
   std::vector<ErrorBound> errors;
   errors.reserve(path.segment_count());
   for (std::size_t k = 0; k < path.segment_count(); ++k) {
-    errors.push_back(
-        segment_error(gamma, path.segment(k), path.knots()[k], path.knots()[k + 1]));
+    errors.push_back(segment_error(gamma, path.segment(k), path.knots()[k], path.knots()[k + 1]));
   }
   return errors;
 }
@@ -54,8 +53,8 @@ template <class Curve, PreimageAlgebra A, std::size_t n>
 ErrorBound certified_error(const Curve& gamma, const Path<A, n>& path) {
   ErrorBound total = segment_error(gamma, path.segment(0), path.knots()[0], path.knots()[1]);
   for (std::size_t k = 1; k < path.segment_count(); ++k) {
-    total = larger_error(total, segment_error(gamma, path.segment(k), path.knots()[k],
-                                              path.knots()[k + 1]));
+    total = larger_error(
+        total, segment_error(gamma, path.segment(k), path.knots()[k], path.knots()[k + 1]));
   }
   return total;
 }

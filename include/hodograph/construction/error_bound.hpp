@@ -42,8 +42,7 @@ double largest_rate(const PhCurve<A, n>& curve) {
   for (const A& a : curve.preimage().coefficients()) {
     Enclosure size(0.0);
     for (std::size_t i = 0; i < A::dimension; ++i) size += square(Enclosure(a[i]));
-    // A NaN or overflow makes the enclosure the whole line and the result infinite.
-    if (!(size.upper() <= largest)) largest = size.upper();
+    error_detail::raise_to(largest, size.upper());  // the whole line where not finite
   }
   return (Enclosure(largest) * Enclosure(curve.parameter_step())).upper();
 }
@@ -79,7 +78,7 @@ double position_error(const PhCurve<A, n>& curve) {
   for (std::size_t i = 0; i < V::dimension; ++i) {
     double size = 0.0;
     for (const V& c : curve.displacement().coefficients()) {
-      if (const double s = std::abs(c[i]); !(s <= size)) size = s;
+      error_detail::raise_to(size, std::abs(c[i]));
     }
     const Enclosure largest(size);
     const Enclosure evaluation =

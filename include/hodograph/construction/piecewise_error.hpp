@@ -38,15 +38,12 @@ ErrorBound piece_error(const BernsteinPolynomial<point_t<A>, d>& piece, double p
   double piece_size = 0.0, piece_step = 0.0;
   for (std::size_t i = 0; i <= d; ++i) {
     from_start[i] = piece[i] - segment.start();
-    if (const double s = largest_component(from_start[i]); !(s <= piece_size)) piece_size = s;
-    if (i > 0) {
-      const double s = largest_component(piece[i] - piece[i - 1]);
-      if (!(s <= piece_step)) piece_step = s;
-    }
+    error_detail::raise_to(piece_size, largest_component(from_start[i]));
+    if (i > 0) error_detail::raise_to(piece_step, largest_component(piece[i] - piece[i - 1]));
   }
   double displacement_size = 0.0;
   for (const V& c : segment.displacement().coefficients()) {
-    if (const double s = largest_component(c); !(s <= displacement_size)) displacement_size = s;
+    error_detail::raise_to(displacement_size, largest_component(c));
   }
   const double piece_width = piece_end - piece_begin;
   const auto on_piece = from_start.restricted(clamp((xi_begin - piece_begin) / piece_width),

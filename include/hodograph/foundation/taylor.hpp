@@ -31,6 +31,12 @@ constexpr S convolution(const S* a, const S* b, std::size_t k, std::size_t first
   return sum;
 }
 
+/// a / count for a whole number; another hook of the same kind.
+template <class S>
+constexpr S divided_by_count(const S& a, std::size_t count) {
+  return a / S(static_cast<double>(count));
+}
+
 template <class S, std::size_t K>
 class Taylor {
  public:
@@ -147,7 +153,7 @@ constexpr Taylor<S, K> times_index(const Taylor<S, K>& a) {
 /// y): y_k = (1/k) Σ_{j=1..k} j a_j q_{k-j}. `slope` is times_index(a).
 template <class S, std::size_t K>
 constexpr S integral_step(const Taylor<S, K>& slope, const Taylor<S, K>& q, std::size_t k) {
-  return convolution(slope.data(), q.data(), k, 1, k) / count<S>(k);
+  return divided_by_count(convolution(slope.data(), q.data(), k, 1, k), k);
 }
 
 /// y with y' = a'/q and value y0.

@@ -14,8 +14,8 @@
 
 namespace hodograph::certify_detail {
 
-/// The Bernstein coefficients, in degree d, of the powers s^0 ... s^K of s = 2u - 1: in degree k they
-/// are (-1)^{k-j}, and raising the degree averages, so that none exceeds 1. Correctly rounded.
+/// The Bernstein coefficients, in degree d, of the powers s^0 ... s^K of s = 2u - 1: in degree k
+/// they are (-1)^{k-j}, and raising the degree averages, so that none exceeds 1. Correctly rounded.
 template <std::size_t K, std::size_t d>
 struct CentredPowers {
   constexpr std::array<std::array<double, d + 1>, K + 1> operator()() const {
@@ -48,8 +48,7 @@ class SegmentCertifier {
   /// An interval is halved where its remainder exceeds this part of the difference.
   static constexpr double remainder_part = 1.0 / 32.0;
 
-  SegmentCertifier(const Curve& gamma, const PhCurve<A, n>& segment, double xi_begin,
-                   double xi_end)
+  SegmentCertifier(const Curve& gamma, const PhCurve<A, n>& segment, double xi_begin, double xi_end)
       : gamma_(gamma),
         segment_(segment),
         xi_begin_(xi_begin),
@@ -67,12 +66,16 @@ class SegmentCertifier {
     for (std::size_t i = 0; i < dimension; ++i) {
       for (std::size_t j = 0; j <= degree; ++j) {
         displacement[i][j] = raised[j][i];
-        if (const double size = std::abs(raised[j][i]); !(size <= largest)) largest = size;
+        error_detail::raise_to(largest, std::abs(raised[j][i]));
       }
     }
-    // Raising the degree: at most degree + 3 roundings a coefficient; every halving: degree.
-    // A factor 2 > √3 covers the components.
-    per_halving_ = (error_detail::roundings(degree + 3) * Enclosure(2.0 * largest)).upper();
+    // Raising the degree: at most degree + 3 roundings a coefficient; every halving: degree, and as
+    // many underflows. A factor 2 > √3 covers the components.
+    const Enclosure underflow(static_cast<double>(degree + 3) *
+                              std::numeric_limits<double>::denorm_min());
+    per_halving_ = (error_detail::roundings(degree + 3) * Enclosure(2.0 * largest) +
+                    Enclosure(2.0) * underflow)
+                       .upper();
     visit(displacement, 0.0, 1.0, PhCurve<A, n>::degree < degree ? per_halving_ : 0.0, 0);
     if (!arb_is_zero(gap.get()) && !reaches_past_end_) cross_gap(gap);
     ErrorBound result;
@@ -162,9 +165,9 @@ class SegmentCertifier {
           largest = std::max(largest, std::abs(displacement[i][j]));
           difference[i][j] -= displacement[i][j];
         }
-        component += error_detail::roundings(order + 3) * (size + Enclosure(largest)) +
-                     Enclosure(static_cast<double>(order + 1) *
-                               std::numeric_limits<double>::denorm_min());
+        component +=
+            error_detail::roundings(order + 3) * (size + Enclosure(largest)) +
+            Enclosure(static_cast<double>(order + 1) * std::numeric_limits<double>::denorm_min());
         unknown += component;
       }
       remainder = unknown_last.upper();

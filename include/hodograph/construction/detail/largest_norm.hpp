@@ -29,12 +29,21 @@ inline Enclosure roundings(std::size_t count) {
   return Enclosure((Enclosure(plain) * (Enclosure(1.0) + Enclosure(plain))).upper());
 }
 
+/// Lets `largest` be at least `size`; infinite, and so for good, where that is not a number.
+inline void raise_to(double& largest, double size) {
+  if (!(size <= largest)) {
+    largest = size < std::numeric_limits<double>::infinity()
+                  ? size
+                  : std::numeric_limits<double>::infinity();
+  }
+}
+
 /// Coefficients of the components of a vector polynomial.
 template <std::size_t dimension, std::size_t d>
 using Components = std::array<std::array<double, d + 1>, dimension>;
 
-/// The halves of a polynomial: `f` becomes the part on [0, 1/2] and `right` the one on [1/2, 1]. Each
-/// coefficient passes at most d roundings of convex combinations (halving is exact).
+/// The halves of a polynomial: `f` becomes the part on [0, 1/2] and `right` the one on [1/2, 1].
+/// Each coefficient passes at most d roundings of convex combinations (halving is exact).
 template <std::size_t dimension, std::size_t d>
 void halve(Components<dimension, d>& f, Components<dimension, d>& right) {
   for (std::size_t c = 0; c < dimension; ++c) {
@@ -111,9 +120,7 @@ template <std::size_t dimension, std::size_t d>
 NormBound largest_norm(const Components<dimension, d>& f, double radius) {
   double largest = 0.0;
   for (const auto& component : f) {
-    for (const double c : component) {
-      if (const double size = std::abs(c); !(size <= largest)) largest = size;
-    }
+    for (const double c : component) raise_to(largest, std::abs(c));
   }
   const double infinity = std::numeric_limits<double>::infinity();
   if (!(largest < infinity) || !(radius < infinity)) return {Enclosure(0.0, infinity), 0.0};
@@ -131,8 +138,8 @@ NormBound largest_norm(const Components<dimension, d>& f, double radius) {
   search.run(scaled);
 
   // In the scaled polynomial the largest component is in [1/2, 1]. Splitting adds at most
-  // depth_limit d roundings to a component, the squares and their sum dimension + 1 to the norm; what
-  // scaling or squaring lost to underflow is below one rounding of 1/2.
+  // depth_limit d roundings to a component, the squares and their sum dimension + 1 to the norm;
+  // what scaling or squaring lost to underflow is below one rounding of 1/2.
   const std::size_t count = LargestNorm<dimension, d>::depth_limit * d + dimension + 4;
   const Enclosure noise = roundings(count) * Enclosure(2.0);  // √3 < 2 components of size ≤ 1
   const Enclosure seen = sqrt(Enclosure(search.seen_square())) - noise;
