@@ -112,6 +112,26 @@ BernsteinPolynomial<Quaternion<S>, n> restored(
   return preimage.mapped([&](const Quaternion<S>& a) { return factor * (a * roll); });
 }
 
+/// How far the stored curve's end is from the given displacement, in the largest component, and
+/// the largest component of its displacement coefficients.
+template <class S>
+struct EndMiss {
+  Vector3<S> miss;
+  S size, scale;
+  bool is_rounding() const { return !(S(accuracy::settled_end<S>()) * scale < size); }
+};
+template <std::size_t n, class S>
+EndMiss<S> end_miss(const SpatialPhCurve<n, S>& curve, const Vector3<S>& displacement) {
+  const auto& integral = curve.integral().coefficients();
+  const Vector3<S> miss = displacement - integral.back().displacement;
+  S scale(0);
+  for (const auto& c : integral) {
+    const S component = largest_component(c.displacement);
+    scale = select(scale < component, component, scale);
+  }
+  return {miss, largest_component(miss), scale};
+}
+
 /// The curve of a preimage whose middle coefficient is settled on the stored numbers: the position
 /// polynomial is summed from rounded products, so the end it reaches may miss the datum by more
 /// than it need. While the miss exceeds accuracy::settled_end of the largest displacement, the
@@ -121,28 +141,23 @@ SpatialPhCurve<2 * m, S> settled_curve(const Vector3<S>& start, const Vector3<S>
                                        BernsteinPolynomial<Quaternion<S>, 2 * m> preimage,
                                        const S& h) {
   constexpr int most_steps = 4;
-  SpatialPhCurve<2 * m, S> curve(start, preimage, h), best = curve;
-  S best_miss(-1);
-  for (int step = 0;; ++step) {
-    const Vector3<S> miss = displacement - curve.displacement().back();
-    const S size = largest_component(miss);
-    if (best_miss < S(0) || size < best_miss) {
-      best_miss = size;
-      best = curve;
-    }
-    S scale(0);
-    for (const auto& c : curve.displacement().coefficients()) {
-      const S component = largest_component(c);
-      scale = select(scale < component, component, scale);
-    }
-    if (step == most_steps || !(S(accuracy::settled_end<S>()) * scale < size)) return best;
+  const auto& t = tables<S, m>();
+  SpatialPhCurve<2 * m, S> best(start, preimage, h);
+  EndMiss<S> best_miss = end_miss(best, displacement), miss = best_miss;
+  for (int step = 0; step < most_steps && !best_miss.is_rounding(); ++step) {
     Quaternion<S> moment{};
     for (std::size_t i = 0; i <= 2 * m; ++i) {
-      moment = moment + bernstein_gram<S>(2 * m, i, 2 * m, m) * preimage[i];
+      moment = moment + S(t.full_moment[i]) * preimage[i];
     }
-    preimage[m] += solve_linear((S(0.5) / h) * miss, moment, S(1) / dot(moment, moment), S(0));
-    curve = SpatialPhCurve<2 * m, S>(start, preimage, h);
+    preimage[m] += solve_linear((S(0.5) / h) * miss.miss, moment, S(1) / dot(moment, moment), S(0));
+    const SpatialPhCurve<2 * m, S> curve(start, preimage, h);
+    miss = end_miss(curve, displacement);
+    if (miss.size < best_miss.size) {
+      best_miss = miss;
+      best = curve;
+    }
   }
+  return best;
 }
 
 /// A quaternion U with U i U* along v_b + v_e, or along the chord where that sum vanishes against

@@ -16,6 +16,9 @@
 #include "hodograph/construction/hermite_data.hpp"
 #include "hodograph/curve/preimage_jet.hpp"
 
+// The trip counts are small compile-time constants: unrolled, the tables become immediate operands.
+#define HODOGRAPH_UNROLL _Pragma("GCC unroll 16")
+
 namespace hodograph::hermite_detail {
 
 template <class S, std::size_t m>
@@ -55,8 +58,10 @@ EndJet<S, m> end_jet(const Vector3<S>* derivatives, const Twist& twist) {
   EndJet<S, m> jet{};
   jet[0] = fibre(derivatives[0]);
   const S reciprocal_norm = S(1) / dot(jet[0], jet[0]);
+  HODOGRAPH_UNROLL
   for (std::size_t r = 1; r < m; ++r) {
     Vector3<S> a = derivatives[r];
+    HODOGRAPH_UNROLL
     for (std::size_t j = 1; 2 * j <= r; ++j) {
       const auto pairs = static_cast<double>((2 * j == r ? 1 : 2) * binomial(r, j));
       a = a - S(pairs) * hodograph_form(jet[j], jet[r - j]);
@@ -72,6 +77,7 @@ struct RotationMinimising {
   S operator()(const EndJet<S, m>& jet, std::size_t r) const {
     // d^k/dξ^k <A', A i> = Σ_j (C(k,j) - C(k,j-1)) <A^(r-j), A^(j) i>, k = r - 1.
     S twist(0);
+    HODOGRAPH_UNROLL
     for (std::size_t j = 1; 2 * j < r; ++j) {
       const auto weight = static_cast<double>(binomial(r - 1, j) - binomial(r - 1, j - 1));
       twist = twist - S(weight) * twist_form(jet[j], jet[r - j]);
@@ -95,12 +101,15 @@ EndJet<S, m> end_coefficients(const EndJet<S, m>& jet, const S& h,
                               const Matrix<real_of_t<S>, m>& weights) {
   EndJet<S, m> scaled = jet, result;
   S power = h;
+  HODOGRAPH_UNROLL
   for (std::size_t j = 1; j < m; ++j) {
     scaled[j] = power * jet[j];
     power = power * h;
   }
+  HODOGRAPH_UNROLL
   for (std::size_t i = 0; i < m; ++i) {
     result[i] = scaled[0];
+    HODOGRAPH_UNROLL
     for (std::size_t j = 1; j <= i; ++j) result[i] = result[i] + S(weights[i][j]) * scaled[j];
   }
   return result;
@@ -128,12 +137,15 @@ TwistFreeRoll<S> twist_free_roll(const Halves<S, m>& tilde) {
   // ∫<Ã', Ã i> = c + C cos θ - D sin θ with C = 2 ∫<S', E i>, D = 2 ∫<S', E>.
   S c(0), cosine_part(0), sine_part(0);
   Quaternion<S> start_moment{}, end_moment{};
+  HODOGRAPH_UNROLL
   for (std::size_t i = 0; i < m; ++i) {
+    HODOGRAPH_UNROLL
     for (std::size_t j = i + 1; j < m; ++j) {
       c = c + S(t.self[i][j]) * (twist_form(tilde.start[j], tilde.start[i]) -
                                  twist_form(tilde.end[j], tilde.end[i]));
     }
     Quaternion<S> opposite = S(t.cross[i][0]) * tilde.end[0];
+    HODOGRAPH_UNROLL
     for (std::size_t j = 1; j < m; ++j) {
       opposite = opposite + S(t.cross[i][j]) * tilde.end[j];
     }
@@ -195,9 +207,11 @@ template <class S, std::size_t m>
 Vector3<S> integral_of_square(const Halves<S, m>& tilde) {
   const auto& t = tables<S, m>();
   Vector3<S> integral{};
+  HODOGRAPH_UNROLL
   for (std::size_t k = 0; k < m; ++k) {
     Quaternion<S> sum = tilde.start[k] + tilde.end[k];
     Quaternion<S> difference = tilde.start[k] - tilde.end[k];
+    HODOGRAPH_UNROLL
     for (std::size_t j = k + 1; j < m; ++j) {
       sum = sum + S(t.sum_rows[k][j]) * (tilde.start[j] + tilde.end[j]);
       difference = difference + S(t.difference_rows[k][j]) * (tilde.start[j] - tilde.end[j]);
@@ -221,10 +235,11 @@ MiddleCoefficient<S> middle_coefficient(const Halves<S, m>& tilde, const Vector3
                                         const Quaternion<S>* reference) {
   const auto& t = tables<S, m>();
   Quaternion<S> moment = S(t.moment[0]) * (tilde.start[0] + tilde.end[0]);
+  HODOGRAPH_UNROLL
   for (std::size_t i = 1; i < m; ++i) {
     moment = moment + S(t.moment[i]) * (tilde.start[i] + tilde.end[i]);
   }
-  const S gram(t.middle);
+  const S gram(t.middle());
   const Vector3<S> target =
       gram * (mean_velocity - integral_of_square(tilde)) + hodograph_form(moment, moment);
   const auto nearest = nearest_in_fibre(target, reference ? *reference : moment);
@@ -256,6 +271,7 @@ BernsteinPolynomial<Quaternion<S>, 2 * m> assemble(const EndJet<S, m>& start,
   BernsteinPolynomial<Quaternion<S>, 2 * m> preimage;
   const auto head = end_coefficients<S, m>(start, h, t.high);
   const auto tail = end_coefficients<S, m>(end, -h, t.high);
+  HODOGRAPH_UNROLL
   for (std::size_t i = 0; i < m; ++i) {
     preimage[i] = head[i];
     preimage[2 * m - i] = tail[i];
@@ -313,3 +329,5 @@ Segment<S, m> reference_segment(const EndJet<S, m>& start, const EndJet<S, m>& e
 }
 
 }  // namespace hodograph::hermite_detail
+
+#undef HODOGRAPH_UNROLL

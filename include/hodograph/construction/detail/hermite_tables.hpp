@@ -28,8 +28,9 @@ struct TableValues {
   /// matrix of degree N on sums (+) and differences (-) of mirrored coefficients.
   Matrix<R, m> sum_rows{}, difference_rows{};
   std::array<R, m> sum_weights{}, difference_weights{};
-  /// ∫ (B_m^n)².
-  R middle{};
+  /// ∫ B_i^n B_m^n; the middle one is the Gram entry of the free coefficient.
+  std::array<R, 2 * m + 1> full_moment{};
+  constexpr const R& middle() const { return full_moment[m]; }
 };
 
 /// Factors xᵀ M x = Σ_k d_k (l_k·x)², l_k unit upper triangular; M is positive definite.
@@ -77,7 +78,7 @@ struct MakeTables {
     }
     factor(sums, t.sum_rows, t.sum_weights);
     factor(differences, t.difference_rows, t.difference_weights);
-    t.middle = R(bernstein_gram<W>(n, m, n, m));
+    for (std::size_t i = 0; i <= n; ++i) t.full_moment[i] = R(bernstein_gram<W>(n, i, n, m));
     return t;
   }
 };
