@@ -92,4 +92,65 @@ P random_path(Random& random, std::size_t count, int order = 0) {
   return P::create(std::move(knots), std::move(segments), false).value();
 }
 
+/// A closed curve of `count` equal arcs that turn left once round: the preimage turns by half that,
+/// to its negative. Arc k is w = e^(ikπ/N) ((1 - u) + u e^(iπ/N)), on knots of step 1.
+inline PlanarPath<1> ring(std::size_t count) {
+  const double half = 3.141592653589793 / static_cast<double>(count);
+  const auto turn = [&](std::size_t k) {
+    const double angle = half * static_cast<double>(k);
+    return Complex<double>{std::cos(angle), std::sin(angle)};
+  };
+  std::vector<double> knots{0.0};
+  std::vector<PlanarPhCurve<1>> segments;
+  Vector2<double> start{};
+  for (std::size_t k = 0; k < count; ++k) {
+    knots.push_back(static_cast<double>(k + 1));
+    segments.emplace_back(start, BernsteinPolynomial<Complex<double>, 1>({turn(k), turn(k + 1)}),
+                          1.0);
+    start = segments.back().end();
+  }
+  return PlanarPath<1>::create(std::move(knots), std::move(segments), true).value();
+}
+
+/// An algebra's value in another scalar.
+template <class T, class S>
+Complex<T> converted(const Complex<S>& w) {
+  return {T(w.re), T(w.im)};
+}
+template <class T, class S>
+Quaternion<T> converted(const Quaternion<S>& a) {
+  return {T(a.w), T(a.x), T(a.y), T(a.z)};
+}
+template <class T, class S>
+Vector2<T> converted(const Vector2<S>& v) {
+  return {T(v.x), T(v.y)};
+}
+template <class T, class S>
+Vector3<T> converted(const Vector3<S>& v) {
+  return {T(v.x), T(v.y), T(v.z)};
+}
+
+/// The same path over another scalar T, one that holds S exactly: with a Taylor scalar, evaluating
+/// it at Taylor::variable(ξ) differentiates whatever is evaluated.
+template <class T, class A, std::size_t n>
+auto converted(const Path<A, n>& path) {
+  using B = decltype(converted<T>(A{}));
+  std::vector<T> knots;
+  std::vector<PhCurve<B, n>> segments;
+  for (const auto& knot : path.knots()) knots.push_back(T(knot));
+  for (const auto& curve : path.segments()) {
+    segments.emplace_back(converted<T>(curve.start()),
+                          curve.preimage().mapped([](const A& a) { return converted<T>(a); }),
+                          T(curve.parameter_step()));
+  }
+  // A wider scalar sees the rounding of the knots: its steps follow from them.
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    segments[k] = {segments[k].start(), segments[k].preimage(), knots[k + 1] - knots[k]};
+    if (k > 0) {
+      segments[k] = {segments[k - 1].end(), segments[k].preimage(), segments[k].parameter_step()};
+    }
+  }
+  return Path<B, n>::create(std::move(knots), std::move(segments), false).value();
+}
+
 }  // namespace hodograph::test

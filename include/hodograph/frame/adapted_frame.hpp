@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Adapted frames: the Euler-Rodrigues frame (ERF) that the preimage carries, turned about the tangent
-// by a roll angle θ(ξ). One notion; Frenet, periodic and other frames differ only in θ.
+// Adapted frames: the Euler-Rodrigues frame (ERF) that the preimage carries, turned about the
+// tangent by a roll angle θ(ξ). One notion; Frenet, periodic and other frames differ only in θ.
 //
-//   e₂ = cos θ e₂ᴱᴿᶠ + sin θ e₃ᴱᴿᶠ,  e₃ = cos θ e₃ᴱᴿᶠ - sin θ e₂ᴱᴿᶠ    (roll positive from e₂ to e₃)
+//   e₂ = cos θ e₂ᴱᴿᶠ + sin θ e₃ᴱᴿᶠ,  e₃ = cos θ e₃ᴱᴿᶠ - sin θ e₂ᴱᴿᶠ    (roll positive from e₂ to
+//   e₃)
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "hodograph/bernstein/polynomial.hpp"
 #include "hodograph/curve/preimage_jet.hpp"
+#include "hodograph/foundation/fault.hpp"
 #include "hodograph/frame/angular_velocity.hpp"
 
 namespace hodograph {
@@ -92,36 +94,142 @@ std::optional<Frame3<S>> frenet_frame(const std::array<Quaternion<S>, size>& jet
   return Frame3<S>{erf.e1, c * erf.e2 + s * erf.e3, c * erf.e3 - s * erf.e2};
 }
 
+/// The body rate χ and its derivatives of a frame that is rolled by θ(ξ), from those of the frame
+/// before and from θ, θ', ..., θ^(count) at the point. With c = χ₂ + i χ₃ and g = e^(-iθ):
+/// χ₁ gains θ', and c becomes g c, where g^(r+1) = -i Σ_j C(r,j) θ^(j+1) g^(r-j).
+template <class S, std::size_t count>
+std::array<Vector3<S>, count> rolled_rates(const std::array<Vector3<S>, count>& chi,
+                                           const std::array<S, count + 1>& theta) {
+  using std::cos;
+  using std::sin;
+  const auto weight = [](std::size_t r, std::size_t j) {
+    return S(static_cast<double>(binomial(r, j)));
+  };
+  std::array<Complex<S>, count> g;
+  g[0] = {cos(theta[0]), -sin(theta[0])};
+  for (std::size_t r = 0; r + 1 < count; ++r) {
+    Complex<S> sum{};
+    for (std::size_t j = 0; j <= r; ++j) sum += (weight(r, j) * theta[j + 1]) * g[r - j];
+    g[r + 1] = {sum.im, -sum.re};
+  }
+  std::array<Vector3<S>, count> result;
+  for (std::size_t r = 0; r < count; ++r) {
+    Complex<S> across{};
+    for (std::size_t j = 0; j <= r; ++j) {
+      across += weight(r, j) * (g[r - j] * Complex<S>{chi[j].y, chi[j].z});
+    }
+    result[r] = {chi[r].x + theta[r + 1], across.re, across.im};
+  }
+  return result;
+}
+
 /// A roll that is linear in ξ: θ(ξ) = θ_0 + rate (ξ - ξ_0). It distributes the leftover roll of a
 /// closed path evenly.
 template <class S>
 struct LinearRoll {
   S xi_begin{}, theta_begin{}, rate{};
   constexpr S angle(const S& xi) const { return theta_begin + rate * (xi - xi_begin); }
+  /// θ, θ', ..., θ^(K) at ξ.
+  template <std::size_t K>
+  constexpr std::array<S, K + 1> derivatives(const S& xi) const {
+    std::array<S, K + 1> result{};
+    result[0] = angle(xi);
+    if constexpr (K > 0) result[1] = rate;
+    return result;
+  }
 };
 
-/// The ERF of a path, turned by a linear roll (none by default).
-template <class PathType>
+/// The ERF of a spatial path, turned by a roll θ(ξ) (none by default). A roll offers
+/// derivatives<K>(ξ) -> θ, θ', ..., θ^(K) at ξ, as LinearRoll does.
+///
+/// The rates of rotation come in the four forms of angular_velocity.hpp, each with its derivatives
+/// up to order K ≤ 2: with respect to ξ for the rates per ξ, to arc length for those per arc
+/// length. Holds a reference: the path must outlive it. Domain: ξ inside the knots (throws
+/// outside_domain) where the path moves (throws zero_speed).
+template <class PathType, class RollFunction = LinearRoll<typename PathType::Scalar>>
 class AdaptedFrame {
  public:
   using Scalar = typename PathType::Scalar;
-  explicit AdaptedFrame(const PathType& path, const LinearRoll<Scalar>& roll = {})
+  using Algebra = typename PathType::Algebra;
+  using Vector = Vector3<Scalar>;
+  template <std::size_t K>
+  using Rates = std::array<Vector, K + 1>;
+
+  explicit AdaptedFrame(const PathType& path, const RollFunction& roll = {})
       : path_(&path), roll_(roll) {}
 
-  /// The frame at ξ.
+  const RollFunction& roll() const { return roll_; }
+
+  /// The frame R at ξ.
   Frame3<Scalar> at(const Scalar& xi) const {
-    return rolled(euler_rodrigues_frame(path_->template preimage_jet<0>(xi)), roll_.angle(xi));
+    return rolled(euler_rodrigues_frame(jet<0>(xi)), roll_.template derivatives<0>(xi)[0]);
   }
-  /// Its body rate χ per unit ξ.
-  Vector3<Scalar> body_rate_per_xi(const Scalar& xi) const {
-    const auto chi = hodograph::body_rate_per_xi(path_->template preimage_jet<1>(xi));
-    return rolled_rate(chi[0], roll_.angle(xi), roll_.rate);
+  /// R, R', ..., R^(K) with respect to ξ.
+  template <std::size_t K>
+  std::array<Frame3<Scalar>, K + 1> derivatives(const Scalar& xi) const {
+    if constexpr (K == 0) {
+      return {at(xi)};
+    } else {
+      return frame_derivatives(at(xi), body_rate_per_xi_derivatives<K - 1>(xi));
+    }
   }
-  const LinearRoll<Scalar>& roll() const { return roll_; }
+
+  /// χ, radians per unit ξ.
+  Vector body_rate_per_xi(const Scalar& xi) const { return body_rate_per_xi_derivatives<0>(xi)[0]; }
+  template <std::size_t K>
+  Rates<K> body_rate_per_xi_derivatives(const Scalar& xi) const {
+    return rolled_rates(hodograph::body_rate_per_xi(jet<K + 1>(xi)),
+                        roll_.template derivatives<K + 1>(xi));
+  }
+  /// ω = R χ, radians per unit ξ: that of the ERF plus θ' e₁, whatever θ.
+  Vector world_rate_per_xi(const Scalar& xi) const {
+    return world_rate_per_xi_derivatives<0>(xi)[0];
+  }
+  template <std::size_t K>
+  Rates<K> world_rate_per_xi_derivatives(const Scalar& xi) const {
+    const auto preimage = jet<K + 1>(xi);
+    const auto theta = roll_.template derivatives<K + 1>(xi);
+    const auto frame = euler_rodrigues_frame_derivatives(preimage);
+    Rates<K> omega = hodograph::world_rate_per_xi(preimage);
+    for (std::size_t r = 0; r <= K; ++r) {
+      for (std::size_t j = 0; j <= r; ++j) {
+        omega[r] += (Scalar(static_cast<double>(binomial(r, j))) * theta[j + 1]) * frame[r - j].e1;
+      }
+    }
+    return omega;
+  }
+
+  /// χ/σ and ω/σ, radians per unit arc length.
+  Vector body_rate_per_arc_length(const Scalar& xi) const {
+    return body_rate_per_arc_length_derivatives<0>(xi)[0];
+  }
+  template <std::size_t K>
+  Rates<K> body_rate_per_arc_length_derivatives(const Scalar& xi) const {
+    return rate_detail::per_arc_length(jet<K + 1>(xi), body_rate_per_xi_derivatives<K>(xi));
+  }
+  Vector world_rate_per_arc_length(const Scalar& xi) const {
+    return world_rate_per_arc_length_derivatives<0>(xi)[0];
+  }
+  template <std::size_t K>
+  Rates<K> world_rate_per_arc_length_derivatives(const Scalar& xi) const {
+    return rate_detail::per_arc_length(jet<K + 1>(xi), world_rate_per_xi_derivatives<K>(xi));
+  }
 
  private:
+  template <std::size_t K>
+  PreimageJet<Algebra, K> jet(const Scalar& xi) const {
+    const auto preimage = path_->template preimage_jet<K>(xi);
+    if (!(Scalar(0) < speed_form(preimage[0], preimage[0]))) {
+      throw Error(Fault{
+          FaultCode::zero_speed,
+          "the path stands still at xi = " + to_text(to_double(xi)) + ": no frame exists there",
+          std::nullopt, "speed", 0.0, std::nullopt});
+    }
+    return preimage;
+  }
+
   const PathType* path_;
-  LinearRoll<Scalar> roll_;
+  RollFunction roll_;
 };
 
 }  // namespace hodograph

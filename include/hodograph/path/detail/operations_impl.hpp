@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hodograph/path/detail/preimage_turn.hpp"
 #include "hodograph/path/operations.hpp"
 
 namespace hodograph {
@@ -42,18 +43,6 @@ Complex<S> turned_round(const Complex<S>& w) {
   return {-w.im, w.re};
 }
 
-/// Into |parts that a roll can make up for| and |parts that a tangent break leaves| of conj(b) a.
-template <class S>
-std::pair<S, S> along_and_across(const Quaternion<S>& q) {
-  using std::sqrt;
-  return {sqrt(S(q.w * q.w + q.x * q.x)), sqrt(S(q.y * q.y + q.z * q.z))};
-}
-template <class S>
-std::pair<S, S> along_and_across(const Complex<S>& q) {
-  using std::abs;
-  return {abs(q.re), abs(q.im)};
-}
-
 /// The preimage b multiplied by the roll (in the plane: the sign) that q = conj(b_0) a_n contains.
 template <class S, std::size_t n>
 BernsteinPolynomial<Quaternion<S>, n> rolled_by(const BernsteinPolynomial<Quaternion<S>, n>& b,
@@ -65,16 +54,6 @@ template <class S, std::size_t n>
 BernsteinPolynomial<Complex<S>, n> rolled_by(const BernsteinPolynomial<Complex<S>, n>& b,
                                              const Complex<S>& q, const S&) {
   return q.re < S(0) ? b.mapped([](const Complex<S>& c) { return -c; }) : b;
-}
-
-/// The largest component of the coefficients.
-template <class A, std::size_t n>
-typename A::Scalar largest_coefficient(const BernsteinPolynomial<A, n>& f) {
-  typename A::Scalar largest(0);
-  for (const A& c : f.coefficients()) {
-    if (const auto size = largest_component(c); largest < size) largest = size;
-  }
-  return largest;
 }
 
 /// v/|v| without overflow or underflow, for v of positive finite size.
@@ -177,35 +156,21 @@ template <PreimageAlgebra A, std::size_t m, std::size_t n>
 Result<Path<A, (m < n ? n : m)>> joined(const Path<A, m>& a, const Path<A, n>& b) {
   using S = typename A::Scalar;
   using P = Path<A, (m < n ? n : m)>;
-  using std::atan2;
   const auto& last = a.segments().back().preimage();
   const auto& first = b.segments().front().preimage();
   const std::size_t join = a.segment_count();
-  const S end_size = largest_component(last.back()), begin_size = largest_component(first.front());
-  if (!(S(0) < end_size) || !(S(0) < begin_size)) {
+  const bool ends_moving = S(0) < largest_component(last.back());
+  if (!ends_moving || !(S(0) < largest_component(first.front()))) {
     return Fault{FaultCode::zero_speed,
-                 std::string("the ") + (S(0) < end_size ? "second" : "first") +
+                 std::string("the ") + (ends_moving ? "second" : "first") +
                      " path stands still at the join: it has no tangent there to continue",
                  join,
                  "speed",
                  0.0,
                  std::nullopt};
   }
-  const A q = conjugate((S(1) / begin_size) * first.front()) * ((S(1) / end_size) * last.back());
-  const auto [along, across] = operation_detail::along_and_across(q);
-  const S allowed =
-      S(accuracy::join_error<S>()) * (operation_detail::largest_coefficient(last) / end_size +
-                                      operation_detail::largest_coefficient(first) / begin_size);
-  if (!(across <= allowed * along)) {
-    const double angle = to_double(S(S(2) * atan2(across, along)));
-    return Fault{FaultCode::not_continuous,
-                 "the paths meet at an angle of " + to_text(angle) + " rad; at most " +
-                     to_text(to_double(S(S(2) * allowed))) + " is rounding",
-                 join,
-                 "tangent",
-                 angle,
-                 to_double(S(S(2) * allowed))};
-  }
+  const auto turn = path_detail::preimage_turn(last, first);
+  if (turn.is_break()) return path_detail::tangent_fault(turn, join, "the paths meet");
 
   std::vector<S> knots = a.knots();
   std::vector<typename P::Curve> segments;
@@ -217,9 +182,9 @@ Result<Path<A, (m < n ? n : m)>> joined(const Path<A, m>& a, const Path<A, n>& b
     const auto& curve = b.segment(k);
     knots.push_back(a.xi_end() == b.xi_begin() ? b.knots()[k + 1]
                                                : S(a.xi_end() + (b.knots()[k + 1] - b.xi_begin())));
-    const typename Path<A, n>::Curve rolled{curve.start(),
-                                            operation_detail::rolled_by(curve.preimage(), q, along),
-                                            curve.parameter_step()};
+    const typename Path<A, n>::Curve rolled{
+        curve.start(), operation_detail::rolled_by(curve.preimage(), turn.q, turn.along),
+        curve.parameter_step()};
     segments.push_back(
         operation_detail::with_step(rolled, S(knots.back() - knots[knots.size() - 2]))
             .template elevated<P::preimage_degree>());
