@@ -50,3 +50,26 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
 }  // namespace hodograph
 
 #include "hodograph/construction/detail/hermite_impl.hpp"
+
+namespace hodograph {
+
+// Compiled once, in src/construction/hermite.cpp.
+#define HODOGRAPH_DECLARE(m, S)                                                       \
+  extern template Result<SpatialPhCurve<2 * m, S>> hermite_curve<m, S>(               \
+      const HermitePoint<m, S>&, const HermitePoint<m, S>&, const S&, HermiteChoice); \
+  extern template Result<SpatialPhCurve<2 * m, S>> hermite_curve<m, S>(               \
+      const HermitePoint<m, S>&, const HermitePoint<m, S>&, const S&,                 \
+      const HermiteParameters<m, S>&);                                                \
+  extern template Result<SpatialPath<2 * m, S>> hermite_path<m, S>(                   \
+      std::vector<S>, std::span<const HermitePoint<m, S>>, HermiteChoice, bool);
+
+HODOGRAPH_DECLARE(1, double)
+HODOGRAPH_DECLARE(2, double)
+HODOGRAPH_DECLARE(4, double)
+HODOGRAPH_DECLARE(1, long double)
+HODOGRAPH_DECLARE(2, long double)
+HODOGRAPH_DECLARE(4, long double)
+
+#undef HODOGRAPH_DECLARE
+
+}  // namespace hodograph
