@@ -10,11 +10,11 @@
 // largest norm is enclosed by its control points and its values (largest_norm); the radii of the
 // a_k and all roundings are added. Intervals on which the remainder dominates are halved. Nothing
 // is assumed of how p was made, so the bound holds for every construction and degree, and stays
-// sharp down to the rounding of the stored coefficients.
+// sharp down to the rounding of the stored coefficients. Segments so short that rounding rules
+// their errors share one Taylor polynomial.
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "hodograph/certify/ball.hpp"
@@ -40,21 +40,20 @@ ErrorBound segment_error(const Curve& gamma, const PhCurve<A, n>& segment, doubl
 /// The bound of every segment of a path, in order.
 template <class Curve, PreimageAlgebra A, std::size_t n>
 std::vector<ErrorBound> segment_errors(const Curve& gamma, const Path<A, n>& path) {
+  certify_detail::PathCertifier<Curve, A, n> certifier(gamma, path);
   std::vector<ErrorBound> errors;
   errors.reserve(path.segment_count());
-  for (std::size_t k = 0; k < path.segment_count(); ++k) {
-    errors.push_back(segment_error(gamma, path.segment(k), path.knots()[k], path.knots()[k + 1]));
-  }
+  for (std::size_t k = 0; k < path.segment_count(); ++k) errors.push_back(certifier.next());
   return errors;
 }
 
 /// An enclosure of the largest |γ(ξ) - p(ξ)| over the whole path; see segment_error.
 template <class Curve, PreimageAlgebra A, std::size_t n>
 ErrorBound certified_error(const Curve& gamma, const Path<A, n>& path) {
-  ErrorBound total = segment_error(gamma, path.segment(0), path.knots()[0], path.knots()[1]);
+  certify_detail::PathCertifier<Curve, A, n> certifier(gamma, path);
+  ErrorBound total = certifier.next();
   for (std::size_t k = 1; k < path.segment_count(); ++k) {
-    total = larger_error(
-        total, segment_error(gamma, path.segment(k), path.knots()[k], path.knots()[k + 1]));
+    total = larger_error(total, certifier.next());
   }
   return total;
 }

@@ -38,13 +38,14 @@ inline ErrorBound larger_error(const ErrorBound& a, const ErrorBound& b) {
 /// An upper bound of h max|A_i|², and so of |dr/du| and of the arc length of a curve.
 template <PreimageAlgebra A, std::size_t n>
 double largest_rate(const PhCurve<A, n>& curve) {
+  constexpr double smallest = std::numeric_limits<double>::denorm_min();
   double largest = 0.0;
   for (const A& a : curve.preimage().coefficients()) {
-    Enclosure size(0.0);
-    for (std::size_t i = 0; i < A::dimension; ++i) size += square(Enclosure(a[i]));
-    error_detail::raise_to(largest, size.upper());  // the whole line where not finite
+    error_detail::raise_to(largest, dot(a, a));  // at most 4 roundings, or underflows
   }
-  return (Enclosure(largest) * Enclosure(curve.parameter_step())).upper();
+  const Enclosure square = (Enclosure(1.0) + error_detail::roundings(4)) * Enclosure(largest) +
+                           Enclosure(8.0 * smallest);
+  return (square * Enclosure(curve.parameter_step())).upper();
 }
 
 /// An upper bound of |d(u) - r(u) + start| for all u in [0, 1], d the stored displacement

@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The work behind segment_error: one segment against Taylor polynomials of the given curve.
+// The work behind segment_error: one segment against Taylor models of the given curve; and a path,
+// whose short segments share a model.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-#include "hodograph/certify/ball.hpp"
-#include "hodograph/construction/error_bound.hpp"
-#include "hodograph/foundation/taylor.hpp"
+#include "hodograph/certify/detail/taylor_model.hpp"
+#include "hodograph/path/path.hpp"
 
 namespace hodograph::certify_detail {
-
-/// The Bernstein coefficients, in degree d, of the powers s^0 ... s^K of s = 2u - 1: in degree k
-/// they are (-1)^{k-j}, and raising the degree averages, so that none exceeds 1. Correctly rounded.
-template <std::size_t K, std::size_t d>
-struct CentredPowers {
-  constexpr std::array<std::array<double, d + 1>, K + 1> operator()() const {
-    std::array<std::array<double, d + 1>, K + 1> table{};
-    for (std::size_t k = 0; k <= K; ++k) {
-      for (std::size_t i = 0; i <= d; ++i) {
-        std::int64_t sum = 0;
-        for (std::size_t j = 0; j <= k && j <= i; ++j) {
-          const std::int64_t term = binomial(k, j) * binomial(d - k, i - j);
-          sum += (k - j) % 2 == 0 ? term : -term;
-        }
-        table[k][i] = ratio<double>(sum, binomial(d, i));
-      }
-    }
-    return table;
-  }
-};
 
 template <class Curve, PreimageAlgebra A, std::size_t n>
 class SegmentCertifier {
@@ -42,30 +21,21 @@ class SegmentCertifier {
   static constexpr std::size_t order = 11;
   static constexpr std::size_t dimension = point_t<A>::dimension;
   static constexpr std::size_t degree = std::max(order, PhCurve<A, n>::degree);
-  /// Halvings of a segment before it is given up, and intervals looked at altogether.
-  static constexpr int depth_limit = 12;
-  static constexpr int work_limit = 512;
-  /// An interval is halved where its remainder exceeds this part of the difference.
-  static constexpr double remainder_part = 1.0 / 32.0;
+  using Model = TaylorModel<dimension, order>;
 
   SegmentCertifier(const Curve& gamma, const PhCurve<A, n>& segment, double xi_begin, double xi_end)
       : gamma_(gamma),
         segment_(segment),
         xi_begin_(xi_begin),
         xi_end_(xi_end),
-        allowance_(position_error(segment)) {}
-
-  ErrorBound run() {
-    const double h = segment_.parameter_step();
-    // The segment ends at ξ_k + h, which misses ξ_{k+1} by up to half an ulp.
-    const Ball gap = Ball(xi_end_) - (Ball(xi_begin_) + Ball(h));
-    reaches_past_end_ = !(arb_is_nonnegative(gap.get()));
-    Difference displacement;
+        allowance_(position_error(segment)),
+        gap_(Ball(xi_end) - (Ball(xi_begin) + Ball(segment.parameter_step()))),
+        reaches_past_end_(!arb_is_nonnegative(gap_.get())) {
     const auto raised = segment_.displacement().template elevated<degree>();
     double largest = 0.0;
     for (std::size_t i = 0; i < dimension; ++i) {
       for (std::size_t j = 0; j <= degree; ++j) {
-        displacement[i][j] = raised[j][i];
+        displacement_[i][j] = raised[j][i];
         error_detail::raise_to(largest, std::abs(raised[j][i]));
       }
     }
@@ -76,49 +46,50 @@ class SegmentCertifier {
     per_halving_ = (error_detail::roundings(degree + 3) * Enclosure(2.0 * largest) +
                     Enclosure(2.0) * underflow)
                        .upper();
-    visit(displacement, 0.0, 1.0, PhCurve<A, n>::degree < degree ? per_halving_ : 0.0, 0);
-    if (!arb_is_zero(gap.get()) && !reaches_past_end_) cross_gap(gap);
-    ErrorBound result;
-    const Enclosure allowance(allowance_);
-    const double upper = (Enclosure(upper_) + allowance).upper();
-    result.certified = upper < infinity;
-    result.error = Enclosure(std::max(0.0, (Enclosure(lower_) - allowance).lower()),
-                             result.certified ? upper : infinity);
-    result.at_xi = std::min(xi_end_, xi_begin_ + at_ * h);
-    return result;
+    raising_ = PhCurve<A, n>::degree < degree ? per_halving_ : 0.0;
+  }
+
+  /// The bound, by models of the segment and, where they are poor, of its halves.
+  ErrorBound run() {
+    Difference displacement = displacement_;
+    visit(displacement, 0.0, 1.0, raising_, 0);
+    return result();
+  }
+
+  /// The bound by the given model of γ - start on the whole segment, in `bound`; false where
+  /// what is unknown of the model would show in it.
+  bool run_with(const Model& model, ErrorBound& bound) {
+    if (!accept(model, displacement_, 0.0, 1.0, raising_, Demand::high)) return false;
+    bound = result();
+    return true;
   }
 
  private:
-  using Series = Taylor<Ball, order>;
   using Difference = error_detail::Components<dimension, degree>;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+  /// Halvings of a segment before it is given up, and intervals looked at altogether.
+  static constexpr int depth_limit = 12;
+  static constexpr int work_limit = 512;
+  /// A model is good where its remainder is below this part of the difference, or of the allowance
+  /// for positions.
+  static constexpr double remainder_part = 1.0 / 32.0;
+
+  // What is asked of a model before it is used.
+  enum class Demand { none, usual, high };
 
   // The segment's displacement on [begin, begin + width] of u, wrong by at most `error`.
   void visit(Difference& displacement, double begin, double width, double error, int depth) {
     ++work_;
-    Difference difference;
-    double remainder = infinity, radius = infinity;
-    const bool known = subtract(displacement, begin, width, difference, remainder, radius);
     const bool may_halve = depth < depth_limit && work_ < work_limit;
-    if (!known && !may_halve) {
+    const Ball h(segment_.parameter_step());
+    Model model;
+    if (model.expand(gamma_, Ball(xi_begin_) + h * Ball(begin + 0.5 * width), h * Ball(0.5 * width),
+                     segment_.start())) {
+      const Demand demand = may_halve ? Demand::usual : Demand::none;
+      if (accept(model, displacement, begin, width, error, demand)) return;
+    } else if (!may_halve) {
       upper_ = infinity;
       return;
-    }
-    if (known) {
-      const double total = (Enclosure(radius) + Enclosure(remainder) + Enclosure(error)).upper();
-      const NormBound bound = error_detail::largest_norm<dimension, degree>(difference, total);
-      const bool sharp = remainder <= remainder_part * bound.norm.upper() ||
-                         remainder <= std::max(radius, allowance_) || bound.norm.upper() <= upper_;
-      if (sharp || !may_halve) {
-        // At the very end the exact segment may reach past ξ_{k+1}; that point is not a witness.
-        const bool witness = !(reaches_past_end_ && begin + bound.at * width >= 1.0);
-        if (witness && bound.norm.lower() > lower_) {
-          lower_ = bound.norm.lower();
-          at_ = begin + bound.at * width;
-        }
-        upper_ = std::max(upper_, bound.norm.upper());
-        return;
-      }
     }
     Difference right;
     error_detail::halve<dimension, degree>(displacement, right);
@@ -128,70 +99,49 @@ class SegmentCertifier {
     visit(right, begin + 0.5 * width, 0.5 * width, next, depth + 1);
   }
 
-  // difference = Taylor polynomial of γ - start on the interval, minus the displacement. remainder
-  // bounds what is unknown of the last coefficient, radius everything else. False where γ has no
-  // finite enclosure.
-  bool subtract(const Difference& displacement, double begin, double width, Difference& difference,
-                double& remainder, double& radius) const {
-    const Ball half = Ball(segment_.parameter_step()) * Ball(0.5 * width);
-    const Ball middle =
-        Ball(xi_begin_) + Ball(segment_.parameter_step()) * Ball(begin + 0.5 * width);
-    Series at_middle(middle), over_interval(middle.widened(half));
-    at_middle[1] = half;
-    over_interval[1] = half;
-    try {
-      const auto bounded = gamma_(over_interval);
-      for (std::size_t i = 0; i < dimension; ++i) {
-        if (!is_finite(bounded[i])) return false;
-      }
-      const auto centred = gamma_(at_middle);
-      Enclosure unknown_last(0.0), unknown(0.0);
-      for (std::size_t i = 0; i < dimension; ++i) {
-        Enclosure component(0.0), size(0.0);
-        std::array<double, order + 1> coefficient;
-        for (std::size_t k = 0; k <= order; ++k) {
-          const Ball exact = k == 0       ? centred[i][0] - Ball(segment_.start()[i])
-                             : k == order ? bounded[i][order]
-                                          : centred[i][k];
-          coefficient[k] = exact.midpoint();
-          size += Enclosure(std::abs(coefficient[k]));
-          (k == order ? unknown_last : component) += Enclosure(exact.radius());
-        }
-        // Every term passes at most: weight 1, product 1, sum `order`, subtraction 1.
-        for (std::size_t j = 0; j <= degree; ++j) difference[i][j] = 0.0;
-        add_powers(coefficient, difference[i]);
-        double largest = 0.0;
-        for (std::size_t j = 0; j <= degree; ++j) {
-          largest = std::max(largest, std::abs(displacement[i][j]));
-          difference[i][j] -= displacement[i][j];
-        }
-        component +=
-            error_detail::roundings(order + 3) * (size + Enclosure(largest)) +
-            Enclosure(static_cast<double>(order + 1) * std::numeric_limits<double>::denorm_min());
-        unknown += component;
-      }
-      remainder = unknown_last.upper();
-      radius = unknown.upper();
-      return remainder < infinity && radius < infinity;
-    } catch (const UndecidedComparison&) {
-      return false;
+  // Counts the difference of model and displacement on [begin, begin + width] of u, unless the
+  // model falls short of the demand.
+  bool accept(const Model& model, const Difference& displacement, double begin, double width,
+              double error, Demand demand) {
+    double rounding = 0.0;
+    const Difference f = difference<dimension, order, degree>(model, displacement, rounding);
+    const Enclosure known = Enclosure(model.radius) + Enclosure(rounding) + Enclosure(error);
+    const double total = (known + Enclosure(model.remainder)).upper();
+    const NormBound bound = error_detail::largest_norm<dimension, degree>(f, total);
+    const double upper = bound.norm.upper();
+    if (demand == Demand::usual) {
+      const bool good = model.remainder <= remainder_part * std::max(upper, allowance_) ||
+                        model.remainder <= rounding || upper <= upper_;
+      if (!good) return false;
+    } else if (demand == Demand::high) {
+      if (!(total <= std::max(0.5 * remainder_part * upper, 0.5 * allowance_))) return false;
     }
+    // At the very end the exact segment may reach past ξ_{k+1}; that point is not a witness.
+    const double at = begin + bound.at * width;
+    if (bound.norm.lower() > lower_ && !(reaches_past_end_ && at >= 1.0)) {
+      lower_ = bound.norm.lower();
+      at_ = at;
+    }
+    upper_ = std::max(upper_, upper);
+    return true;
   }
 
-  static void add_powers(const std::array<double, order + 1>& coefficient,
-                         std::array<double, degree + 1>& sum) {
-    const auto& powers = constant_table<double, CentredPowers<order, degree>>();
-    for (std::size_t k = 0; k <= order; ++k) {
-      for (std::size_t j = 0; j <= degree; ++j) sum[j] += powers[k][j] * coefficient[k];
-    }
+  ErrorBound result() {
+    if (!arb_is_zero(gap_.get()) && !reaches_past_end_) cross_gap();
+    const Enclosure allowance(allowance_);
+    const double upper = (Enclosure(upper_) + allowance).upper();
+    const bool certified = upper < infinity;
+    const double lower = std::max(0.0, (Enclosure(lower_) - allowance).lower());
+    return {Enclosure(lower, certified ? upper : infinity), certified,
+            std::min(xi_end_, xi_begin_ + at_ * segment_.parameter_step())};
   }
 
   // Between ξ_k + h and ξ_{k+1} the position stays at the segment's end, and γ moves on by at most
   // gap · max|γ'|.
-  void cross_gap(const Ball& gap) {
-    const Ball end = Ball(xi_end_) - gap;
-    Taylor<Ball, 1> over_gap(end.widened(gap));
-    over_gap[1] = gap;
+  void cross_gap() {
+    const Ball end = Ball(xi_end_) - gap_;
+    Taylor<Ball, 1> over_gap(end.widened(gap_));
+    over_gap[1] = gap_;
     try {
       const auto bounded = gamma_(over_gap);
       Enclosure moved(0.0);
@@ -209,10 +159,89 @@ class SegmentCertifier {
   const PhCurve<A, n>& segment_;
   double xi_begin_, xi_end_;
   double allowance_;
-  double per_halving_ = 0.0;
-  bool reaches_past_end_ = false;
+  Ball gap_;  // ξ_{k+1} - (ξ_k + h): up to half an ulp
+  bool reaches_past_end_;
+  Difference displacement_;
+  double per_halving_ = 0.0, raising_ = 0.0;
   double lower_ = 0.0, upper_ = 0.0, at_ = 0.0;
   int work_ = 0;
+};
+
+/// The segments of a path in order. Where segments are so short that rounding rules their errors,
+/// one model serves a block of them.
+template <class Curve, PreimageAlgebra A, std::size_t n>
+class PathCertifier {
+ public:
+  PathCertifier(const Curve& gamma, const Path<A, n>& path) : gamma_(gamma), path_(path) {}
+
+  /// The bound of the next segment.
+  ErrorBound next() {
+    const std::size_t k = next_++;
+    if (k >= block_end_) start_block(k);
+    const auto& segment = path_.segment(k);
+    Certifier certifier(gamma_, segment, path_.knots()[k], path_.knots()[k + 1]);
+    if (block_known_) {
+      ErrorBound bound;
+      if (certifier.run_with(part_of_block(k), bound)) {
+        if (next_ == block_end_) block_size_ = std::min(2 * block_size_, largest_block);
+        return bound;
+      }
+      abandon_block();
+      return Certifier(gamma_, segment, path_.knots()[k], path_.knots()[k + 1]).run();
+    }
+    return certifier.run();
+  }
+
+ private:
+  using Certifier = SegmentCertifier<Curve, A, n>;
+  static constexpr std::size_t largest_block = 32;
+  /// Segments done one by one after blocks have failed, before another is tried.
+  static constexpr std::size_t pause = 64;
+
+  void start_block(std::size_t k) {
+    const std::size_t last = std::min(k + block_size_, path_.segment_count()) - 1;
+    if (last == k) {
+      block_known_ = false;
+      block_end_ = k + 1;
+      return;
+    }
+    block_end_ = last + 1;
+    block_begin_ = path_.knots()[k];
+    block_origin_ = path_.segment(k).start();
+    // A little longer than the segments, whose ends are rounded.
+    block_length_ = (path_.knots()[last + 1] - block_begin_) * (1.0 + 4.0 * epsilon<double>());
+    const Ball half = Ball(block_length_) * Ball(0.5);
+    block_known_ = block_.expand(gamma_, Ball(block_begin_) + half, half, block_origin_);
+    if (!block_known_) abandon_block();
+  }
+
+  void abandon_block() {
+    block_known_ = false;
+    block_size_ /= 2;
+    block_end_ = next_;
+    if (block_size_ <= 1) {
+      block_size_ = 2;
+      block_end_ = std::min(next_ + pause, path_.segment_count());
+    }
+  }
+
+  // s = alpha + beta s' with the segment's s' in [-1, 1]. The quotients pass three roundings, the
+  // sum two: together below 8 ε.
+  typename Certifier::Model part_of_block(std::size_t k) const {
+    const auto& segment = path_.segment(k);
+    const double beta = segment.parameter_step() / block_length_;
+    const double left = (path_.knots()[k] - block_begin_) / block_length_;
+    const double alpha = (2.0 * left - 1.0) + beta;
+    return block_.restricted(alpha, beta, 8.0 * epsilon<double>(), segment.start() - block_origin_);
+  }
+
+  const Curve& gamma_;
+  const Path<A, n>& path_;
+  std::size_t next_ = 0, block_end_ = 0, block_size_ = 8;
+  bool block_known_ = false;
+  double block_begin_ = 0.0, block_length_ = 0.0;
+  point_t<A> block_origin_{};
+  typename Certifier::Model block_;
 };
 
 }  // namespace hodograph::certify_detail
