@@ -7,6 +7,8 @@
 #include <arb.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <sstream>
 #include <string>
 
 #include "hodograph/foundation/enclosure.hpp"
@@ -33,6 +35,12 @@ class Judge {
   }
   ~Judge() { arb_clear(x_); }
 
+  static Judge from(const arb_t x) {
+    Judge result;
+    arb_set(result.x_, x);
+    return result;
+  }
+
   friend Judge operator+(const Judge& a, const Judge& b) { return made(arb_add, a, b); }
   friend Judge operator-(const Judge& a, const Judge& b) { return made(arb_sub, a, b); }
   friend Judge operator*(const Judge& a, const Judge& b) { return made(arb_mul, a, b); }
@@ -55,6 +63,11 @@ class Judge {
   /// Certainly less.
   friend bool operator<(const Judge& a, const Judge& b) { return arb_lt(a.x_, b.x_) != 0; }
 
+  /// Certainly in [low, high].
+  bool certainly_in(double low, double high) const {
+    return arb_ge(x_, Judge(low).x_) != 0 && arb_le(x_, Judge(high).x_) != 0;
+  }
+
   double approximately() const { return arf_get_d(arb_midref(x_), ARF_RND_NEAR); }
   std::string text() const {
     char* digits = arb_get_str(x_, 40, 0);
@@ -75,9 +88,7 @@ class Judge {
 
 /// Whether the true value may lie in the enclosure: false only where it certainly does not.
 inline ::testing::AssertionResult encloses(const Enclosure& enclosure, const Judge& truth) {
-  const bool below = enclosure.is_bounded() || std::isfinite(enclosure.lower())
-                         ? truth < Judge(enclosure.lower())
-                         : false;
+  const bool below = std::isfinite(enclosure.lower()) && truth < Judge(enclosure.lower());
   const bool above = std::isfinite(enclosure.upper()) && Judge(enclosure.upper()) < truth;
   if (!below && !above) return ::testing::AssertionSuccess();
   std::ostringstream text;
