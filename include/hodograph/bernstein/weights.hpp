@@ -53,7 +53,7 @@ constexpr std::array<S, n + 1> bernstein_values(const S& u) {
     for (std::size_t i = 0; 2 * i <= n; ++i) {
       const auto pair = powers.template weights<n>(i);
       result[i] = pair.first();
-      if (2 * i < n) result[n - i] = pair.second();
+      if (2 * i != n) result[n - i] = pair.second();
     }
     return result;
   };
@@ -142,6 +142,22 @@ template <std::size_t m, class V, std::size_t n, class P, std::size_t size>
     }
     return sum;
   }
+}
+
+/// The same sum of numbers c(0), ..., c(m), both halves in one pair; m must be odd.
+template <std::size_t m, std::size_t n, class P, class Coefficients>
+[[gnu::always_inline]] constexpr typename P::Scalar mirrored_sum(const UnitPowers<n, P>& powers,
+                                                                 const Coefficients& c) {
+  static_assert(m % 2 == 1);
+  constexpr std::size_t half = (m + 1) / 2;
+  const auto term = [&](std::size_t i) {
+    return powers.template weights<m>(i) * P(c(i), c(m - i));
+  };
+  P sum = term(0);
+  if constexpr (half % 2 == 0) sum = sum + term(1);
+#pragma GCC unroll 64
+  for (std::size_t i = 2 - half % 2; i < half; i += 2) sum = sum + (term(i) + term(i + 1));
+  return sum.first() + sum.second();
 }
 
 }  // namespace hodograph

@@ -44,7 +44,11 @@ class PhCurve {
         integral_(parameter_step *
                   symmetric_square(preimage, [](const A& a, const A& b) {
                     return CurveIntegral<A>{hodograph_form(a, b), speed_form(a, b)};
-                  }).antiderivative()) {}
+                  }).antiderivative()) {
+    for (const A& a : preimage_.coefficients()) {
+      if (const Scalar bound = speed_form(a, a); speed_bound_ < bound) speed_bound_ = bound;
+    }
+  }
 
   /// The polynomials that define the curve, exact up to rounding.
   constexpr const Preimage& preimage() const { return preimage_; }
@@ -85,11 +89,20 @@ class PhCurve {
   }
   /// The arc length from the start to u: s(0) = 0, s(1) = arc_length() exactly.
   constexpr Scalar arc_length(const Scalar& u) const { return integral_.value(u).arc_length; }
+  /// The largest |A_i|² of the preimage's coefficients: σ ≤ speed_bound() on [0, 1], up to
+  /// rounding.
+  constexpr const Scalar& speed_bound() const { return speed_bound_; }
   /// A, dA/du, displacement and arc length at u in one evaluation, which shares the powers of u and
   /// 1 - u; the same bits as the separate functions give.
   [[gnu::always_inline]] constexpr CurvePoint<A> evaluate(const Scalar& u) const {
     if (std::is_constant_evaluated()) return evaluate_by<PlainPair<Scalar>>(u);
     return evaluate_by<pair_of_t<Scalar>>(u);
+  }
+
+  /// The same without the displacement, which is left at zero.
+  [[gnu::always_inline]] constexpr CurvePoint<A> evaluate_speed(const Scalar& u) const {
+    if (std::is_constant_evaluated()) return evaluate_by<PlainPair<Scalar>, false>(u);
+    return evaluate_by<pair_of_t<Scalar>, false>(u);
   }
 
   /// A and its derivatives with respect to ξ, at u.
@@ -122,7 +135,7 @@ class PhCurve {
   }
 
  private:
-  template <class P>
+  template <class P, bool with_displacement = true>
   [[gnu::always_inline]] constexpr CurvePoint<A> evaluate_by(const Scalar& u) const {
     const UnitPowers<degree, P> powers(u);
     CurvePoint<A> result;
@@ -135,12 +148,18 @@ class PhCurve {
       result.preimage = (both.second_twice() * left + both.first_twice() * right).value();
       result.preimage_rate = (P::both(Scalar(static_cast<double>(n))) * (right - left)).value();
     }
-    result.integral = weighted_sum<degree>(powers, integral_.coefficients(), 0).value();
+    if constexpr (with_displacement) {
+      result.integral = weighted_sum<degree>(powers, integral_.coefficients(), 0).value();
+    } else {
+      result.integral.arc_length = mirrored_sum<degree>(
+          powers, [&](std::size_t i) -> const Scalar& { return integral_[i].arc_length; });
+    }
     return result;
   }
 
   Point start_{};
   Scalar parameter_step_{1};
+  Scalar speed_bound_{0};
   Preimage preimage_{};
   Integral integral_{};
 };

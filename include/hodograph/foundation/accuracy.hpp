@@ -11,8 +11,16 @@ namespace hodograph::accuracy {
 /// the weights sum to 1.
 template <class S>
 constexpr real_of_t<S> evaluation_error(std::size_t degree) {
-  return real_of_t<S>(static_cast<double>(3 * degree + 2)) * epsilon<S>() /
-         real_of_t<S>(2);
+  return real_of_t<S>(static_cast<double>(3 * degree + 2)) * epsilon<S>() / real_of_t<S>(2);
+}
+
+/// The computed arc length of a curve of preimage degree n, and the target its inverse meets, are
+/// within arc_length_error<S>(n) * M of the integral of |A|², M = h max|A_i|²: a control value is
+/// h/(2n+1) times a sum of up to 2n + 1 means of products, (3n + 10) ε/2 M; evaluation adds
+/// (6n + 5) ε/2 M, replacing the curve by a tangent n ε/2 M.
+template <class S>
+constexpr real_of_t<S> arc_length_error(std::size_t preimage_degree) {
+  return real_of_t<S>(static_cast<double>(5 * preimage_degree + 8)) * epsilon<S>();
 }
 
 /// Continuity of a fitted path (and the check of it): the jump of derivative r across a knot, times

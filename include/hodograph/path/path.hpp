@@ -10,6 +10,7 @@
 #include "hodograph/curve/ph_curve.hpp"
 #include "hodograph/foundation/accuracy.hpp"
 #include "hodograph/foundation/result.hpp"
+#include "hodograph/path/arc_length_table.hpp"
 #include "hodograph/path/interval_index.hpp"
 
 namespace hodograph {
@@ -69,6 +70,8 @@ class Path {
     require_inside(s, Scalar(0), arc_length(), "arc length");
     return arc_length_index_.find(arc_lengths_, s);
   }
+  /// What arc_length_map.hpp starts from in segment k.
+  const ArcLengthTable& arc_length_table(std::size_t k) const { return arc_length_tables_[k]; }
   /// ξ of a location.
   Scalar xi_of(const Location& at) const {
     if (at.u == Scalar(1)) return knots_[at.segment + 1];
@@ -130,6 +133,7 @@ class Path {
   /// arc-length polynomials.
   std::size_t memory() const {
     return segments_.capacity() * sizeof(Curve) +
+           arc_length_tables_.capacity() * sizeof(ArcLengthTable) +
            (knots_.capacity() + arc_lengths_.capacity()) * sizeof(Scalar) + xi_index_.memory() +
            arc_length_index_.memory();
   }
@@ -165,6 +169,7 @@ class Path {
   bool closed_ = false;
   std::vector<Scalar> knots_, arc_lengths_;
   std::vector<Curve> segments_;
+  std::vector<ArcLengthTable> arc_length_tables_;
   IntervalIndex<Scalar> xi_index_, arc_length_index_;
 };
 
@@ -272,6 +277,8 @@ Result<Path<A, n>> Path<A, n>::create(std::vector<Scalar> knots, std::vector<Cur
   if (closed) {
     if (auto fault = path_detail::join_fault(segments.back(), segments.front(), 0)) return *fault;
   }
+  path.arc_length_tables_.reserve(segments.size());
+  for (const Curve& curve : segments) path.arc_length_tables_.emplace_back(curve);
   path.closed_ = closed;
   path.xi_index_ = IntervalIndex<Scalar>(knots);
   path.arc_length_index_ = IntervalIndex<Scalar>(path.arc_lengths_);

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// A first guess of the inverse of a curve's arc length: 136 bytes a segment, single precision.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hodograph/curve/ph_curve.hpp"
+
+namespace hodograph {
+
+/// u as a function of x = s/length, a cubic on each of the eight pieces between u = 0, 1/8, ..., 1
+/// that has the curve's values and slopes at both ends; where the curve nearly rests the slopes
+/// are limited to three times the chord's, which keeps every piece increasing.
+/// Only a guess: whoever uses it corrects it with the exact polynomial.
+class ArcLengthTable {
+ public:
+  static constexpr std::size_t pieces = 8;
+
+  ArcLengthTable() = default;
+  template <PreimageAlgebra A, std::size_t n>
+  explicit ArcLengthTable(const PhCurve<A, n>& curve);
+
+  /// An approximation of u at the arc length s, in [0, 1]. Domain: s and the length positive.
+  double guess(double s) const {
+    const float x = static_cast<float>(s * inverse_length_);
+    int piece = -1;
+    for (std::size_t k = 0; k < pieces; ++k) piece += begin_[k] <= x ? 1 : 0;
+    if (!(piece > 0)) piece = 0;
+    const auto i = static_cast<std::size_t>(piece);
+    const float y = x - begin_[i];
+    const float u =
+        static_cast<float>(piece) * width + y * (slope_[i] + y * (quadratic_[i] + y * cubic_[i]));
+    return 0.0F <= u && u <= 1.0F ? static_cast<double>(u) : 0.5;
+  }
+
+ private:
+  static constexpr float width = 1.0F / static_cast<float>(pieces);
+
+  /// The rows B_i^n(k/8), k = 1..7.
+  template <class R, std::size_t n>
+  struct NodeValues {
+    constexpr std::array<std::array<R, n + 1>, pieces - 1> operator()() const {
+      std::array<std::array<R, n + 1>, pieces - 1> rows{};
+      for (std::size_t k = 1; k < pieces; ++k) {
+        rows[k - 1] = bernstein_values<n>(R(static_cast<double>(k) / pieces));
+      }
+      return rows;
+    }
+  };
+
+  double inverse_length_ = 0.0;
+  std::array<float, pieces> begin_{};  // x where each piece begins
+  std::array<float, pieces> slope_{}, quadratic_{}, cubic_{};
+};
+
+template <PreimageAlgebra A, std::size_t n>
+ArcLengthTable::ArcLengthTable(const PhCurve<A, n>& curve) {
+  using S = typename A::Scalar;
+  using R = real_of_t<S>;
+  constexpr std::size_t degree = 2 * n + 1;
+  const double length = to_double(curve.arc_length());
+  inverse_length_ = 1.0 / length;
+  if (!(inverse_length_ > 0.0) || !is_finite(inverse_length_)) {
+    inverse_length_ = 0.0;
+    return;
+  }
+  const double unit = inverse_length_ * to_double(curve.parameter_step());  // dx/du is unit · σ
+
+  std::array<double, pieces + 1> x{}, rate{};
+  const auto& c = curve.integral().coefficients();
+  const auto& a = curve.preimage().coefficients();
+  const auto& length_rows = constant_table<R, NodeValues<R, degree>>();
+  const auto& preimage_rows = constant_table<R, NodeValues<R, n>>();
+  for (std::size_t k = 0; k <= pieces; ++k) {
+    if (k == 0 || k == pieces) {
+      const A& end = k == 0 ? a.front() : a.back();
+      x[k] = k == 0 ? 0.0 : 1.0;
+      rate[k] = unit * to_double(S(speed_form(end, end)));
+    } else {
+      double sum = 0.0;
+      for (std::size_t i = 1; i <= degree; ++i) {
+        sum += to_double(c[i].arc_length) * static_cast<double>(length_rows[k - 1][i]);
+      }
+      A value = S(preimage_rows[k - 1][0]) * a[0];
+      for (std::size_t i = 1; i <= n; ++i) value = value + S(preimage_rows[k - 1][i]) * a[i];
+      x[k] = sum * inverse_length_;
+      rate[k] = unit * to_double(S(speed_form(value, value)));
+    }
+  }
+  for (std::size_t k = 0; k < pieces; ++k) {
+    const double span = x[k + 1] - x[k];
+    begin_[k] = static_cast<float>(x[k]);
+    if (!(span > 0.0)) continue;
+    // With the chord's slope q = width/span: the cubic with end slopes p and r, at most 3q.
+    const double chord = static_cast<double>(width) / span, limit = 3.0 * chord;
+    const double p = rate[k] * limit > 1.0 ? 1.0 / rate[k] : limit;
+    const double r = rate[k + 1] * limit > 1.0 ? 1.0 / rate[k + 1] : limit;
+    slope_[k] = static_cast<float>(p);
+    quadratic_[k] = static_cast<float>((3.0 * chord - 2.0 * p - r) / span);
+    cubic_[k] = static_cast<float>((p + r - 2.0 * chord) / (span * span));
+  }
+}
+
+}  // namespace hodograph
