@@ -75,10 +75,11 @@ double position_error(const PhCurve<A, n>& curve) {
   using V = point_t<A>;
   constexpr double eps = epsilon<double>();
   constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  const auto displacement = curve.displacement();
   Enclosure sum(0.0);
   for (std::size_t i = 0; i < V::dimension; ++i) {
     double size = 0.0;
-    for (const V& c : curve.displacement().coefficients()) {
+    for (const V& c : displacement.coefficients()) {
       error_detail::raise_to(size, std::abs(c[i]));
     }
     const Enclosure largest(size);

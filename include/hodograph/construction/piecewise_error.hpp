@@ -41,15 +41,16 @@ ErrorBound piece_error(const BernsteinPolynomial<point_t<A>, d>& piece, double p
     error_detail::raise_to(piece_size, largest_component(from_start[i]));
     if (i > 0) error_detail::raise_to(piece_step, largest_component(piece[i] - piece[i - 1]));
   }
+  const auto displacement = segment.displacement();
   double displacement_size = 0.0;
-  for (const V& c : segment.displacement().coefficients()) {
+  for (const V& c : displacement.coefficients()) {
     error_detail::raise_to(displacement_size, largest_component(c));
   }
   const double piece_width = piece_end - piece_begin;
   const auto on_piece = from_start.restricted(clamp((xi_begin - piece_begin) / piece_width),
                                               clamp((xi_end - piece_begin) / piece_width));
-  const auto on_segment = segment.displacement().restricted(clamp((xi_begin - segment_begin) / h),
-                                                            clamp((xi_end - segment_begin) / h));
+  const auto on_segment = displacement.restricted(clamp((xi_begin - segment_begin) / h),
+                                                  clamp((xi_end - segment_begin) / h));
   const auto difference =
       on_piece.template elevated<degree>() - on_segment.template elevated<degree>();
 
