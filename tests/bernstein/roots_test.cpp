@@ -14,8 +14,8 @@
 #if HODOGRAPH_TEST_HAS_ARB
 #include <acb.h>
 #include <arb_fmpz_poly.h>
-#include <fmpq_poly.h>
-#include <fmpz_poly_factor.h>
+#include <flint/fmpq_poly.h>
+#include <flint/fmpz_poly_factor.h>
 #endif
 
 namespace hodograph {
