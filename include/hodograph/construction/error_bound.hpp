@@ -67,7 +67,7 @@ double displacement_error(const PhCurve<A, n>& curve) {
 }
 
 /// An upper bound of the distance between the exact point r(u) and the position computed in double
-/// precision, u = (ξ - ξ_k)/h computed too. Terms: the larger of displacement_error and
+/// precision, u = (ξ - ξ_k)/h computed too. Terms: displacement_error and
 /// accuracy::evaluation_error of the displacement, the rounding of the sum with start, and the two
 /// roundings of u times the largest rate.
 template <PreimageAlgebra A, std::size_t n>
