@@ -6,7 +6,8 @@
 // and start exactly as stored. (The displacement and arc length that a segment holds for evaluation
 // are this, rounded.) Every enclosure holds, rounding included; RangeGoal says how far it is
 // refined. Extremes over the whole path are found together: only segments that matter are
-// subdivided.
+// subdivided. Where the speed falls to 2^-24 of its largest value on a segment, rounding ends the
+// refinement of rates and curvatures at about 2^-24 of themselves; elsewhere far below.
 #pragma once
 
 #include <array>
