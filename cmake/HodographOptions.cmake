@@ -19,7 +19,7 @@ foreach(name CERTIFY ORBIT IO PROGRAM)
   set_property(CACHE HODOGRAPH_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
 endforeach()
 
-option(HODOGRAPH_BUILD_TESTS "Build the tests (needs GoogleTest, Boost and Arb)" OFF)
+option(HODOGRAPH_BUILD_TESTS "Build the tests (needs GoogleTest and Boost)" OFF)
 option(HODOGRAPH_TEST_CONSUMERS "Test the package from projects outside the tree" ON)
 option(HODOGRAPH_BUILD_BENCHMARKS "Offer the targets of bench/, examples/ and tools/"
        ${PROJECT_IS_TOP_LEVEL})
