@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Batches: the same bits as single values, nothing written on bad input, nothing allocated.
-#include "hodograph/path/batch.hpp"
+#include "hodograph/frame/batch.hpp"
 
 #include <gtest/gtest.h>
 
