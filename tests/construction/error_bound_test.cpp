@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "hodograph/construction/fit.hpp"
 #include "hodograph/construction/piecewise_error.hpp"
 #include "tests/support/compare.hpp"
 #include "tests/support/random.hpp"
@@ -224,11 +225,11 @@ TEST(PiecewiseError, RefusesPiecesThatDoNotCoverThePath) {
 TEST(EstimatedError, IsCalledAnEstimate) {
   Random rng("estimated error");
   const Case c = random_case(rng, 0.0);
-  const auto gamma = [&](double xi) {
-    return c.path.position(xi) + Vector3<double>{0.0, 0.0, 0.25};
+  const DerivativeCurve gamma = [&](double xi) {
+    return HermitePoint<4>{c.path.position(xi) + Vector3<double>{0.0, 0.0, 0.25}};
   };
   const ErrorBound bound =
-      estimated_segment_error(gamma, c.path.segment(0), c.path.knots()[0], c.path.knots()[1], 16);
+      estimated_error(gamma, c.path.segment(0), c.path.knots()[0], c.path.knots()[1]);
   EXPECT_FALSE(bound.certified);
   EXPECT_LE(std::abs(bound.error.upper() - 0.25), 100.0 * 16.0 * epsilon<double>());
 }

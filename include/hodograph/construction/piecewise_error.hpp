@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The certified error of a path against a piecewise polynomial curve (a spline): the pieces are
-// split at the knots of both, and the control points of each difference bounded. And the estimate
-// for curves of which only values are known.
+// split at the knots of both, and the control points of each difference bounded.
 #pragma once
 
 #include <algorithm>
@@ -137,24 +136,6 @@ Result<ErrorBound> piecewise_error(std::span<const double> knots,
     }
   }
   return total;
-}
-
-/// An estimate, never a certificate, of the largest |γ(ξ) - p(ξ)| over one segment: the largest of
-/// `samples` distances at the midpoints of as many equal parts. For curves that give values alone.
-template <class Curve, PreimageAlgebra A, std::size_t n>
-ErrorBound estimated_segment_error(const Curve& gamma, const PhCurve<A, n>& segment,
-                                   double xi_begin, double xi_end, std::size_t samples) {
-  double largest = -1.0, at = xi_begin;
-  for (std::size_t i = 0; i < samples; ++i) {
-    const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(samples);
-    const double xi = std::min(xi_end, xi_begin + u * segment.parameter_step());
-    const double distance = norm(gamma(xi) - segment.position(u));
-    if (!(distance <= largest)) {
-      largest = distance;
-      at = xi;
-    }
-  }
-  return {Enclosure(largest), false, at};
 }
 
 }  // namespace hodograph

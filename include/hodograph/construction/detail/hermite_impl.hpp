@@ -2,24 +2,29 @@
 // hermite.hpp: the door (checks, scaling, faults) around the kernel.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
+#include "hodograph/construction/detail/hermite_batch.hpp"
 #include "hodograph/construction/detail/hermite_kernel.hpp"
 #include "hodograph/construction/hermite.hpp"
 
 namespace hodograph {
 namespace hermite_detail {
 
-/// The power of two c with c² max|p'| in [1/2, 2): preimages are computed from data scaled by c²
-/// and divided by c, so that no square overflows or vanishes.
+/// The power of two c with c² max|p'| in [1/2, 2), or 2^511 where the speeds are subnormal (c²
+/// would overflow): preimages are computed from data scaled by c² and divided by c, so that no
+/// square overflows or vanishes.
 template <class S>
 double prescale(double largest_speed) {
   if (!(largest_speed > 0) || !std::isfinite(largest_speed)) return 1.0;
   int exponent = 0;
   std::frexp(largest_speed, &exponent);
-  return std::ldexp(1.0, -(exponent / 2));
+  constexpr int least = 2 * (std::numeric_limits<double>::min_exponent / 2);
+  return std::ldexp(1.0, -(std::max(exponent, least) / 2));
 }
 
 template <std::size_t m, class S>
@@ -59,6 +64,17 @@ std::optional<Fault> step_fault(const S& h) {
                0.0};
 }
 
+inline Fault range_fault(std::size_t index) {
+  return {FaultCode::no_interpolant,
+          "segment " + std::to_string(index) +
+              ": its numbers are too large, or differ too much in size, to be multiplied: a speed "
+              "is too small beside its derivatives, or the parameter step does not suit the points",
+          index,
+          "range",
+          std::nullopt,
+          std::nullopt};
+}
+
 /// Judges a finished segment: its numbers, its fibre, and how far it wanders from its data.
 template <std::size_t m, class S>
 std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePoint<m, S>& begin,
@@ -68,19 +84,6 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
   using R = real_of_t<S>;
   const std::string where = "segment " + std::to_string(index);
   const R angle = accuracy::opposite_fibre_angle<S>();
-  if (!(value_of(segment.closeness) > angle * angle)) {
-    return Fault{FaultCode::no_interpolant,
-                 where +
-                     ": the displacement asks the curve to turn back on itself (its middle "
-                     "fibre is opposite to its neighbours); use shorter segments",
-                 index,
-                 "closeness",
-                 to_double(segment.closeness),
-                 to_double(R(angle * angle))};
-  }
-  S control_speed(0);
-  for (const auto& a : segment.preimage.coefficients()) control_speed += dot(a, a);
-  control_speed = control_speed * ratio<S>(1, 2 * static_cast<std::int64_t>(m) + 1);
   const S square(scale * scale);
   S size = largest_component((S(1) / h) * (end[0] - begin[0]));
   S weight = S(1);
@@ -89,8 +92,43 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
     weight = weight * h / S(static_cast<double>(r + 1));
   }
   size = square * size;
-  if (!is_finite(control_speed) ||
-      !(value_of(control_speed) < accuracy::wild_interpolant<S>() * value_of(size))) {
+  S control_speed(0);  // first of what the ends alone decide
+  for (std::size_t i = 0; i <= 2 * m; ++i) {
+    const auto& a = segment.preimage[i];
+    if (i != m) control_speed += dot(a, a);
+  }
+  // Where a square overflowed or was lost, the roll is no rotation: it would spoil the end.
+  using std::abs;
+  const S roll_size =
+      segment.roll.cosine * segment.roll.cosine + segment.roll.sine * segment.roll.sine;
+  const bool rotation = value_of(abs(S(roll_size - S(1)))) <= accuracy::unit_error<S>();
+  // Products of the two ends' numbers must keep their digits: 2^511 is the root of double's range.
+  constexpr double most_ratio = 0x1p511;
+  const S slow = select(largest_component(begin[1]) < largest_component(end[1]),
+                        largest_component(begin[1]), largest_component(end[1]));
+  if (!is_finite(control_speed) || !is_finite(size) || !rotation ||
+      !(size < S(most_ratio) * (square * slow))) {
+    return range_fault(index);
+  }
+  if (!(value_of(segment.closeness) > angle * angle)) {
+    // The fibre's direction is normalised by a square of what control_speed sums.
+    if (!is_finite(S(control_speed * control_speed)) || !is_finite(S(size * size))) {
+      return range_fault(index);
+    }
+    const double closeness = to_double(segment.closeness);
+    return Fault{FaultCode::no_interpolant,
+                 where +
+                     ": the displacement asks the curve to turn back on itself (its middle "
+                     "fibre is opposite to its neighbours); use shorter segments",
+                 index,
+                 "closeness",
+                 closeness > 0.0 ? closeness : 0.0,  // not a number where no fibre exists at all
+                 to_double(R(angle * angle))};
+  }
+  control_speed += dot(segment.preimage[m], segment.preimage[m]);
+  if (!is_finite(control_speed)) return range_fault(index);
+  control_speed = control_speed * ratio<S>(1, 2 * static_cast<std::int64_t>(m) + 1);
+  if (!(value_of(control_speed) < accuracy::wild_interpolant<S>() * value_of(size))) {
     return Fault{FaultCode::no_interpolant,
                  where + ": the interpolant would wander " +
                      to_text(to_double(S(control_speed / size))) +
@@ -137,12 +175,14 @@ EndMiss<S> end_miss(const SpatialPhCurve<n, S>& curve, const Vector3<S>& displac
 /// than it need. While the miss exceeds accuracy::settled_end of the largest displacement, the
 /// middle coefficient takes a Newton step, 2h A_p ⋆ dA = miss; the best of at most four is kept.
 template <std::size_t m, class S>
-SpatialPhCurve<2 * m, S> settled_curve(const Vector3<S>& start, const Vector3<S>& displacement,
-                                       BernsteinPolynomial<Quaternion<S>, 2 * m> preimage,
-                                       const S& h) {
+Result<SpatialPhCurve<2 * m, S>> settled_curve(const Vector3<S>& start,
+                                               const Vector3<S>& displacement,
+                                               BernsteinPolynomial<Quaternion<S>, 2 * m> preimage,
+                                               const S& h, std::size_t index) {
   constexpr int most_steps = 4;
   const auto& t = tables<S, m>();
   SpatialPhCurve<2 * m, S> best(start, preimage, h);
+  if (!is_finite(best.end()) || !is_finite(best.arc_length())) return range_fault(index);
   EndMiss<S> best_miss = end_miss(best, displacement), miss = best_miss;
   for (int step = 0; step < most_steps && !best_miss.is_rounding(); ++step) {
     Quaternion<S> moment{};
@@ -160,26 +200,49 @@ SpatialPhCurve<2 * m, S> settled_curve(const Vector3<S>& start, const Vector3<S>
   return best;
 }
 
-/// A quaternion U with U i U* along v_b + v_e, or along the chord where that sum vanishes against
-/// the speeds (errata: half circle): the reference of the standard form.
+/// A quaternion U with U i U* along v_b + v_e: the reference of the standard form. Along the chord
+/// where that sum vanishes against the speeds (errata: half circle) or is opposite to one of them,
+/// so that no member of that fibre is nearest to U; nothing where the chord does not help either.
 template <class S>
 std::optional<Quaternion<S>> reference_quaternion(const Vector3<S>& velocity_begin,
                                                   const Vector3<S>& velocity_end,
                                                   const Vector3<S>& chord) {
-  const auto size = [](const Vector3<S>& v) { return value_of(largest_component(v)); };
-  const Vector3<S> sum = velocity_begin + velocity_end;
-  const auto speeds = size(velocity_begin) + size(velocity_end);
-  const bool opposite = !(size(sum) > accuracy::opposite_fibre_angle<S>() * speeds);
-  const Vector3<S>& direction = opposite ? chord : sum;
-  if (!(size(direction) > 0)) return std::nullopt;
-  return fibre(S(1.0) / largest_component(direction) * direction);
+  using std::sqrt;
+  const auto over = [](const Vector3<S>& v, const S& size) {  // 1/size might overflow
+    return Vector3<S>{v.x / size, v.y / size, v.z / size};
+  };
+  const auto unit = [&](const Vector3<S>& v) {
+    const Vector3<S> w = over(v, largest_component(v));
+    return (S(1) / sqrt(dot(w, w))) * w;
+  };
+  const Vector3<S> begin = unit(velocity_begin), end = unit(velocity_end);
+  // 1 + cos of the angle between two directions, twice the closeness of their fibres, must be more
+  // than its rounding (at most 8 ε) by the closeness that is asked for elsewhere.
+  const auto serves = [&](const Vector3<S>& direction) {
+    using R = real_of_t<S>;
+    const R angle = accuracy::opposite_fibre_angle<S>();
+    const R least = R(2) * angle * angle + R(8) * epsilon<S>();
+    return value_of(S(1) + dot(begin, direction)) > least &&
+           value_of(S(1) + dot(end, direction)) > least;
+  };
+  const S speeds =
+      S(0.5) * largest_component(velocity_begin) + S(0.5) * largest_component(velocity_end);
+  const Vector3<S> sum = over(velocity_begin, speeds) + over(velocity_end, speeds);
+  if (value_of(largest_component(sum)) > accuracy::opposite_fibre_angle<S>()) {
+    const Vector3<S> direction = unit(sum);
+    if (serves(direction)) return fibre(direction);
+  }
+  if (!(S(0) < largest_component(chord))) return std::nullopt;
+  const Vector3<S> direction = unit(chord);
+  if (!serves(direction)) return std::nullopt;
+  return fibre(direction);
 }
 
 inline Fault no_reference_fault(std::size_t index) {
   return {FaultCode::no_interpolant,
           "segment " + std::to_string(index) +
-              ": the end velocities are opposite and the end points coincide, so there is no "
-              "standard form; use order_ten or shorter segments",
+              ": the end velocities are opposite and the displacement gives no other direction, so "
+              "there is no standard form; use order_ten or shorter segments",
           index,
           "velocity",
           std::nullopt,
@@ -256,6 +319,61 @@ EndJet<S, m> checked_jet(const HermitePoint<m, S>& point, double scale, HermiteC
              : end_jet<m, S>(derivatives.data(), ZeroTau{});
 }
 
+/// The segments of a path in order, computed in batches where that is faster.
+template <std::size_t m, class S>
+class SegmentSequence {
+ public:
+  SegmentSequence(std::span<const S> knots, std::span<const HermitePoint<m, S>> points,
+                  double scale, HermiteChoice choice)
+      : knots_(knots), points_(points), scale_(scale), choice_(choice) {}
+
+  /// Segment k; to be asked in order, for knots that increase up to k + 1.
+  Result<Segment<S, m>> at(std::size_t k) {
+    if constexpr (batched) {
+      if (choice_ == HermiteChoice::order_ten) return from_batch(k);
+    }
+    const EndJet<S, m> start = k == 0 ? jet_at(0) : next_;
+    next_ = jet_at(k + 1);
+    return checked_segment<m, S>(points_[k], points_[k + 1], start, next_,
+                                 knots_[k + 1] - knots_[k], scale_, choice_, k);
+  }
+
+ private:
+  static constexpr bool batched = std::is_same_v<S, double> && m == 4;
+
+  EndJet<S, m> jet_at(std::size_t k) const {
+    return checked_jet<m, S>(points_[k], scale_, choice_);
+  }
+
+  Result<Segment<S, m>> from_batch(std::size_t k) {
+    if (k >= batch_end_) {
+      std::array<double, longest_batch> steps;
+      std::size_t count = 0;
+      while (count < longest_batch && k + count + 1 < points_.size()) {
+        steps[count] = knots_[k + count + 1] - knots_[k + count];
+        ++count;
+      }
+      twist_free_segments(points_.data() + k, steps.data(), scale_ * scale_, count, batch_.data());
+      batch_begin_ = k;
+      batch_end_ = k + count;
+    }
+    const Segment<S, m>& segment = batch_[k - batch_begin_];
+    if (auto fault = segment_fault<m, S>(segment, points_[k], points_[k + 1],
+                                         knots_[k + 1] - knots_[k], scale_, k)) {
+      return *fault;
+    }
+    return segment;
+  }
+
+  std::span<const S> knots_;
+  std::span<const HermitePoint<m, S>> points_;
+  double scale_;
+  HermiteChoice choice_;
+  EndJet<S, m> next_{};
+  std::size_t batch_begin_ = 0, batch_end_ = 0;
+  std::array<Segment<S, m>, (batched ? longest_batch : 1)> batch_;
+};
+
 }  // namespace hermite_detail
 
 template <std::size_t m, class S>
@@ -271,7 +389,7 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
                             checked_jet<m, S>(end, scale, choice), h, scale, choice, 0);
   if (!segment) return segment.fault();
   return settled_curve<m, S>(begin[0], end[0] - begin[0],
-                             restored(segment->preimage, Roll<S>{}, scale), h);
+                             restored(segment->preimage, Roll<S>{}, scale), h, 0);
 }
 
 template <std::size_t m, class S>
@@ -303,7 +421,7 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
       turn(parameters.theta_middle), turn(parameters.theta_end));
   if (auto fault = segment_fault<m, S>(segment, begin, end, h, scale, 0)) return *fault;
   return settled_curve<m, S>(begin[0], end[0] - begin[0],
-                             restored(segment.preimage, Roll<S>{}, scale), h);
+                             restored(segment.preimage, Roll<S>{}, scale), h, 0);
 }
 
 template <std::size_t m, class S>
@@ -335,7 +453,7 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
   const double scale = prescale_of<m, S>(points);
   std::vector<SpatialPhCurve<2 * m, S>> segments;
   segments.reserve(points.size() - 1);
-  EndJet<S, m> jet = checked_jet<m, S>(points[0], scale, choice);
+  SegmentSequence<m, S> sequence(knots, points, scale, choice);
   Roll<S> roll;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const S h = knots[k + 1] - knots[k];
@@ -346,18 +464,17 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
                         to_text(to_double(knots[k + 1])) + " after " + to_text(to_double(knots[k]));
       return *fault;
     }
-    const EndJet<S, m> next = checked_jet<m, S>(points[k + 1], scale, choice);
-    const auto segment =
-        checked_segment<m, S>(points[k], points[k + 1], jet, next, h, scale, choice, k);
+    const auto segment = sequence.at(k);
     if (!segment) return segment.fault();
-    segments.push_back(settled_curve<m, S>(points[k][0], points[k + 1][0] - points[k][0],
-                                           restored(segment->preimage, roll, scale), h));
+    auto curve = settled_curve<m, S>(points[k][0], points[k + 1][0] - points[k][0],
+                                     restored(segment->preimage, roll, scale), h, k);
+    if (!curve) return curve.fault();
+    segments.push_back(std::move(*curve));
     const Roll<S> q = segment->roll;
     roll = {roll.cosine * q.cosine - roll.sine * q.sine,
             roll.cosine * q.sine + roll.sine * q.cosine};
     const S size = sqrt(roll.cosine * roll.cosine + roll.sine * roll.sine);
     roll = {roll.cosine / size, roll.sine / size};
-    jet = next;
   }
   return SpatialPath<2 * m, S>::create(std::move(knots), std::move(segments), closed);
 }
