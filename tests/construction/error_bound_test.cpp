@@ -229,7 +229,7 @@ TEST(EstimatedError, IsCalledAnEstimate) {
     return HermitePoint<4>{c.path.position(xi) + Vector3<double>{0.0, 0.0, 0.25}};
   };
   const ErrorBound bound =
-      estimated_error(gamma, c.path.segment(0), c.path.knots()[0], c.path.knots()[1]);
+      estimated_error(gamma, c.path.segment(0).elevated<8>(), c.path.knots()[0], c.path.knots()[1]);
   EXPECT_FALSE(bound.certified);
   EXPECT_LE(std::abs(bound.error.upper() - 0.25), 100.0 * 16.0 * epsilon<double>());
 }
