@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// hodograph check: computes every promise of a document again, and fails on the first that does not
+// hold.
+#include <cmath>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/fitting.hpp"
+#include "cli/options.hpp"
+#include "cli/path_facts.hpp"
+#include "cli/terminal.hpp"
+#include "hodograph/io/document.hpp"
+#include "hodograph/io/file.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+struct CheckFlags {
+  std::string document, samples;
+  std::size_t degree = 5;
+  bool periodic = false;
+};
+
+/// Collects what was checked; a promise that does not hold leaves as Error.
+class Checks {
+ public:
+  void hold(const std::string& what, const std::string& how) {
+    text_ += "ok       " + what + ": " + how + "\n";
+  }
+  void skip(const std::string& what, const std::string& why) {
+    text_ += "skipped  " + what + ": " + why + "\n";
+  }
+  [[noreturn]] static void broken(const std::string& what, const std::string& why, double value,
+                                  double bound) {
+    throw Error(Fault{FaultCode::broken_promise, "broken promise: " + what + ": " + why,
+                      std::nullopt, what, value, bound});
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void check_identity(Checks& checks, const PathFacts& facts) {
+  if (!(facts.hodograph_identity <= 1.0)) {
+    Checks::broken("hodograph",
+                   "|r'|^2 and the squared speed differ by " + to_text(facts.hodograph_identity) +
+                       " times the rounding",
+                   facts.hodograph_identity, 1.0);
+  }
+  checks.hold("hodograph", "|r'| is the speed polynomial, in every segment");
+}
+
+void check_order(const char* name, int promised, int found, const std::vector<JumpFact>& jumps) {
+  if (promised <= found) return;
+  const auto r = static_cast<std::size_t>(found + 1);
+  if (r >= jumps.size()) {
+    Checks::broken(std::string("continuity of the ") + name,
+                   "C" + std::to_string(promised) + " is promised, orders up to " +
+                       std::to_string(found) + " are looked at",
+                   promised, found);
+  }
+  Checks::broken(std::string("continuity of the ") + name,
+                 "C" + std::to_string(promised) + " is promised, but derivative " +
+                     std::to_string(r) + " jumps at knot " + std::to_string(jumps[r].knot) +
+                     " by " + to_text(jumps[r].jump) + " in relative terms, where " +
+                     to_text(jumps[r].allowed) + " is rounding",
+                 promised, found);
+}
+
+void check_continuity(Checks& checks, const ContinuityOrders& promised, const PathFacts& facts) {
+  const ContinuityOrders& found = facts.continuity;
+  check_order("position", promised.position, found.position, facts.position);
+  check_order("preimage", promised.preimage, found.preimage, facts.preimage);
+  check_order("frame", promised.frame, found.frame, facts.frame);
+  check_order("angular velocity", promised.angular_velocity, found.angular_velocity,
+              facts.angular_velocity);
+  checks.hold("continuity", "position C" + std::to_string(promised.position) + ", preimage C" +
+                                std::to_string(promised.preimage) + ", frame C" +
+                                std::to_string(promised.frame) + ", angular velocity C" +
+                                std::to_string(promised.angular_velocity) + " at the least");
+}
+
+std::string range(const Enclosure& bound) {
+  return "[" + to_text(bound.lower()) + ", " + to_text(bound.upper()) + "]";
+}
+
+/// A promised enclosure holds when it contains the one that is computed again.
+void check_bound(Checks& checks, const char* name, const Enclosure& promised,
+                 const Enclosure& found) {
+  if (!(promised.lower() <= found.lower())) {
+    Checks::broken(name,
+                   "at least " + to_text(promised.lower()) + " is promised, " +
+                       to_text(found.lower()) + " can be shown",
+                   promised.lower(), found.lower());
+  }
+  if (!(found.upper() <= promised.upper())) {
+    Checks::broken(name,
+                   "at most " + to_text(promised.upper()) + " is promised, " +
+                       to_text(found.upper()) + " can be shown",
+                   promised.upper(), found.upper());
+  }
+  checks.hold(name, "in " + range(promised));
+}
+
+std::optional<Source> source_of(const CheckFlags& flags, const PathDocument& document) {
+  if (flags.samples.empty()) return named_source(document.provenance.source);
+  const Table table = read_table(read_file(flags.samples).value(), flags.samples).value();
+  return SampleSource{curve_samples(table, {}, flags.samples).value(), flags.samples, flags.degree,
+                      flags.periodic};
+}
+
+void check_error(Checks& checks, const CheckFlags& flags, const PathDocument& document) {
+  const ErrorPromise& promised = *document.promises.error;
+  const auto source = source_of(flags, document);
+  if (!source) {
+    checks.skip("error", document.provenance.source.empty()
+                             ? "the document does not name what the path stands for"
+                             : "the samples are not in the document; give them with --samples");
+    return;
+  }
+  const ErrorBound found = error_against(*source, document.path).value();
+  if (promised.certified && !found.certified) {
+    Checks::broken("error", "a certificate is promised, and none can be given", 1.0, 0.0);
+  }
+  check_bound(checks, promised.certified ? "error (certified)" : "error (estimate)",
+              promised.distance, found.error);
+}
+
+void run(const CheckFlags& flags) {
+  const PathDocument document = load_document(flags.document).value();
+  const PathFacts facts = facts_of(document.path);
+  const Promises& promises = document.promises;
+  Checks checks;
+  checks.hold("path", std::to_string(document.path.segment_count()) +
+                          " segments on increasing knots, joined without a gap");
+  check_identity(checks, facts);
+  if (promises.continuity) check_continuity(checks, *promises.continuity, facts);
+  if (promises.arc_length)
+    check_bound(checks, "arc length", *promises.arc_length, facts.arc_length);
+  if (promises.smallest_speed) {
+    check_bound(checks, "smallest speed", *promises.smallest_speed, facts.smallest_speed);
+  }
+  if (promises.largest_speed) {
+    check_bound(checks, "largest speed", *promises.largest_speed, facts.largest_speed);
+  }
+  if (promises.curvature_bound) {
+    if (!(facts.curvature_bound <= *promises.curvature_bound)) {
+      Checks::broken("curvature",
+                     "at most " + to_text(*promises.curvature_bound) + " is promised, " +
+                         to_text(facts.curvature_bound) + " can be shown",
+                     *promises.curvature_bound, facts.curvature_bound);
+    }
+    checks.hold("curvature", "at most " + to_text(*promises.curvature_bound));
+  }
+  if (promises.error) check_error(checks, flags, document);
+  print(checks.text());
+}
+
+}  // namespace
+
+void add_check(CLI::App& program) {
+  auto flags = std::make_shared<CheckFlags>();
+  CLI::App* const command = program.add_subcommand(
+      "check", "Compute every promise of a path document again; exit 2 if one does not hold.");
+  command->footer(
+      example({"hodograph check gateway.json", "hodograph check track.json --samples track.csv"}) +
+      "\n\nA formula or an orbit that the document names is taken up again; samples have to be "
+      "given.");
+  command->add_option("document", flags->document, "the path document ('-': standard input)")
+      ->type_name("FILE")
+      ->required();
+  auto* const samples =
+      command->add_option("--samples", flags->samples, "the samples that the path was fitted to")
+          ->type_name("FILE")
+          ->group("Error");
+  command->add_option("--degree", flags->degree, "of the spline through them: 5 (default) or 7")
+      ->type_name("P")
+      ->check(CLI::IsMember({5, 7}))
+      ->needs(samples)
+      ->group("Error");
+  command->add_flag("--periodic", flags->periodic, "the samples are periodic")
+      ->needs(samples)
+      ->group("Error");
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace hodograph::cli

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "cli/options.hpp"
+
+#include <cstdio>
+
+#include "cli/terminal.hpp"
+#include "hodograph/frame/holonomy.hpp"
+#include "hodograph/io/file.hpp"
+#include "hodograph/io/report.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+void require_written(const std::optional<Fault>& fault) {
+  if (fault) throw Error(*fault);
+}
+
+/// Gives the document the roll that makes the frame of a closed path periodic.
+void distribute_roll(PathDocument& document) {
+  document.roll = document.path.visit([](const auto& path) -> std::optional<LinearRoll<double>> {
+    if constexpr (std::remove_cvref_t<decltype(path)>::Point::dimension == 3) {
+      return closing_roll(path).value();
+    } else {
+      return std::nullopt;
+    }
+  });
+}
+
+}  // namespace
+
+void FitFlags::add_to(CLI::App& command, const std::string& tolerance_help) {
+  command.add_option("-t,--tolerance", tolerance, tolerance_help)
+      ->type_name("LENGTH")
+      ->group("Fitting");
+  command
+      .add_option("--segments", segments,
+                  "a fixed number of uniform segments, instead of a tolerance")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber)
+      ->group("Fitting");
+  command
+      .add_option("--choice", choice,
+                  "the interpolants: order-ten (default), or order-six as PHODCOS has them")
+      ->type_name("CHOICE")
+      ->check(CLI::IsMember({"order-ten", "order-six"}))
+      ->group("Fitting");
+  command
+      .add_option("--knots", knots,
+                  "where knots go: adaptive (default), or uniform, the fewest that do")
+      ->type_name("WAY")
+      ->check(CLI::IsMember({"adaptive", "uniform"}))
+      ->group("Fitting");
+  command
+      .add_option("--most-segments", most_segments, "give up beyond this number (default 200000)")
+      ->type_name("N")
+      ->group("Fitting");
+  command
+      .add_flag("--distribute-roll", distribute_roll,
+                "closed paths: spread what roll is left over after one round, so that the frame "
+                "closes")
+      ->group("Fitting");
+}
+
+FitOptions FitFlags::options() const {
+  FitOptions options;
+  options.tolerance = tolerance;
+  options.segments = segments;
+  options.most_segments = most_segments;
+  options.closed = closed;
+  options.choice = choice == "order-six" ? HermiteChoice::order_six : HermiteChoice::order_ten;
+  options.knots = knots == "uniform" ? FitKnots::uniform : FitKnots::adaptive;
+  return options;
+}
+
+void OutputFlags::add_to(CLI::App& command, const std::string& document_help,
+                         const std::string& report_help) {
+  command.add_option("-o,--out,--output", document, document_help)
+      ->type_name("FILE")
+      ->group("Files");
+  command.add_option("--report", report, report_help)->type_name("FILE")->group("Files");
+}
+
+void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
+                   const std::string& verb) {
+  // The names are tried before the work: one that cannot be written costs no time.
+  auto document_file = OutputFile::create(output.document).value();
+  std::optional<OutputFile> report_file;
+  if (!output.report.empty()) report_file = OutputFile::create(output.report).value();
+
+  FitOptions options = flags.options();
+  FittedPath fit = [&] {
+    Progress progress(verb);
+    options.progress = std::ref(progress);
+    return fitted(source, options).value();
+  }();
+  if (flags.distribute_roll) distribute_roll(fit.document);
+
+  const std::string shown_name = output.document == "-" ? "" : output.document;
+  ReportData report = report_of(fit, shown_name);
+  document_file.write(to_json(fit.document));
+  require_written(document_file.commit());
+  if (report_file) {
+    report_file->write(report_html(report));
+    require_written(report_file->commit());
+  }
+  std::string text = report_text(report);
+  if (output.document != "-") text += "wrote " + output.document + "\n";
+  if (report_file && output.report != "-") text += "wrote " + output.report + "\n";
+  if (output.document == "-" || output.report == "-") {
+    std::fputs(text.c_str(), stderr);
+  } else {
+    print(text);
+  }
+}
+
+std::string example(const std::vector<std::string>& lines) {
+  std::string text = lines.size() == 1 ? "Example:" : "Examples:";
+  for (const std::string& line : lines) text += "\n  " + line;
+  return text;
+}
+
+}  // namespace hodograph::cli

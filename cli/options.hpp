@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The options that subcommands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/fitting.hpp"
+#include "hodograph/construction/fit.hpp"
+
+namespace hodograph::cli {
+
+/// How to fit.
+struct FitFlags {
+  double tolerance = 0.0;
+  std::size_t segments = 0;
+  std::size_t most_segments = FitOptions{}.most_segments;
+  std::string choice = "order-ten", knots = "adaptive";
+  bool closed = false, distribute_roll = false;
+
+  void add_to(CLI::App& command, const std::string& tolerance_help);
+  /// Faults as Error: outside_domain where neither a tolerance nor segments make sense.
+  FitOptions options() const;
+};
+
+/// Where a fit goes.
+struct OutputFlags {
+  std::string document, report;
+
+  void add_to(CLI::App& command, const std::string& document_help, const std::string& report_help);
+};
+
+/// Fits a source, shows progress on a terminal, writes the document and the report, and ends with
+/// the short table and the names of the files on standard output (on standard error where the
+/// document itself goes to standard output). Throws Error.
+void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
+                   const std::string& verb);
+
+/// The last lines of a help page.
+std::string example(const std::vector<std::string>& lines);
+
+}  // namespace hodograph::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// hodograph plot: pictures of a path as SVG.
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/drawing.hpp"
+#include "cli/fitting.hpp"
+#include "cli/options.hpp"
+#include "hodograph/io/document.hpp"
+#include "hodograph/io/file.hpp"
+#include "hodograph/io/svg.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+struct PlotFlags {
+  std::string document, output = "-", view = "path";
+  std::size_t frames = 24;
+};
+
+constexpr std::size_t drawn_points = 2000;
+
+std::string picture(const PlotFlags& flags, const PathDocument& document) {
+  if (flags.view == "quantities" || flags.view == "all") {
+    ReportData data;
+    data.title = document.name;
+    data.dimension = document.path.dimension();
+    data.length_unit = document.length_unit;
+    data.parameter_unit = document.parameter_unit;
+    data.knots = document.path.knots();
+    add_drawing(data, document);
+    std::vector<Plot> plots = report_plots(data);
+    const std::size_t of_the_path = document.path.dimension() == 2 ? 1 : 3;
+    if (flags.view == "quantities") {
+      plots.erase(plots.begin(), plots.begin() + static_cast<std::ptrdiff_t>(of_the_path));
+    }
+    constexpr std::size_t columns = 2;
+    return to_svg(plots, columns);
+  }
+  const FramedPolyline curve = framed_polyline(document, drawn_points, flags.frames);
+  const std::string& unit = document.length_unit;
+  if (document.path.dimension() == 2) return to_svg(plane_picture(curve, unit));
+  if (flags.view == "xy") return to_svg(projected(curve, Projection::xy, unit));
+  if (flags.view == "xz") return to_svg(projected(curve, Projection::xz, unit));
+  if (flags.view == "yz") return to_svg(projected(curve, Projection::yz, unit));
+  const std::vector<Plot> plots = {projected(curve, Projection::xy, unit),
+                                   projected(curve, Projection::xz, unit),
+                                   projected(curve, Projection::yz, unit)};
+  return to_svg(plots, plots.size());
+}
+
+void run(const PlotFlags& flags) {
+  const PathDocument document = load_document(flags.document).value();
+  OutputFile file = OutputFile::create(flags.output).value();
+  file.write(picture(flags, document));
+  if (const auto fault = file.commit()) throw Error(*fault);
+}
+
+}  // namespace
+
+void add_plot(CLI::App& program) {
+  auto flags = std::make_shared<PlotFlags>();
+  CLI::App* const command = program.add_subcommand(
+      "plot", "Draw a path with its frames, or its quantities along xi, as SVG.");
+  command->footer(example({"hodograph plot gateway.json -o gateway.svg",
+                           "hodograph plot gateway.json --view quantities -o rates.svg"}));
+  command->add_option("document", flags->document, "the path document ('-': standard input)")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--view", flags->view,
+                   "path (default): all projections; xy, xz or yz: one of them; quantities: speed, "
+                   "curvature, torsion and angular velocity; all")
+      ->type_name("VIEW")
+      ->check(CLI::IsMember({"path", "xy", "xz", "yz", "quantities", "all"}))
+      ->group("Picture");
+  command->add_option("--frames", flags->frames, "how many frames are drawn (default 24)")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000))
+      ->group("Picture");
+  command->add_option("-o,--out,--output", flags->output, "the picture (default: standard output)")
+      ->type_name("FILE")
+      ->group("Files");
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace hodograph::cli

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// hodograph sample: points of a path as a table.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "cli/commands.hpp"
+#include "cli/options.hpp"
+#include "cli/point_state.hpp"
+#include "cli/sample_plan.hpp"
+#include "hodograph/io/document.hpp"
+#include "hodograph/io/file.hpp"
+#include "hodograph/io/table.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+struct SampleFlags {
+  std::string document, output = "-", format = "csv";
+  std::size_t count = 0, count_in_xi = 0, per_segment = 0;
+  double step = 0.0, chord = 0.0;
+  std::vector<double> xi, arc_length;
+  std::vector<std::string> with;
+};
+
+/// A group of columns that --with adds.
+struct Quantity {
+  const char* name;
+  std::vector<std::string> (*titles)(std::size_t dimension);
+  void (*append)(std::vector<double>& row, const PointState& state, std::size_t dimension);
+};
+
+std::vector<std::string> components(const std::string& prefix, std::size_t dimension) {
+  std::vector<std::string> titles;
+  for (std::size_t i = 0; i < dimension; ++i) titles.push_back(prefix + "xyz"[i]);
+  return titles;
+}
+void append_all(std::vector<double>& row, const std::vector<double>& values) {
+  row.insert(row.end(), values.begin(), values.end());
+}
+void append_none(std::vector<double>& row, std::size_t count) {
+  row.insert(row.end(), count, none);
+}
+
+std::vector<std::string> derivative_titles(std::size_t dimension) {
+  std::vector<std::string> titles;
+  for (std::size_t r = 1; r <= 4; ++r) {
+    for (const auto& title : components("d" + std::to_string(r), dimension))
+      titles.push_back(title);
+  }
+  return titles;
+}
+
+const std::array quantities = {
+    Quantity{"derivatives", derivative_titles,
+             [](std::vector<double>& row, const PointState& state, std::size_t) {
+               for (std::size_t r = 1; r <= 4; ++r) append_all(row, state.position[r]);
+             }},
+    Quantity{"speed", [](std::size_t) { return std::vector<std::string>{"speed"}; },
+             [](std::vector<double>& row, const PointState& state, std::size_t) {
+               row.push_back(state.speed[0]);
+             }},
+    Quantity{"preimage",
+             [](std::size_t dimension) {
+               return dimension == 2 ? std::vector<std::string>{"re", "im"}
+                                     : std::vector<std::string>{"qw", "qx", "qy", "qz"};
+             },
+             [](std::vector<double>& row, const PointState& state, std::size_t) {
+               append_all(row, state.preimage[0]);
+             }},
+    Quantity{"curvature",
+             [](std::size_t dimension) {
+               return dimension == 2 ? std::vector<std::string>{"curvature"}
+                                     : std::vector<std::string>{"curvature", "torsion"};
+             },
+             [](std::vector<double>& row, const PointState& state, std::size_t dimension) {
+               row.push_back(state.moves ? state.curvature : none);
+               if (dimension == 3) row.push_back(state.torsion.value_or(none));
+             }},
+    Quantity{"frame",
+             [](std::size_t dimension) {
+               std::vector<std::string> titles;
+               for (std::size_t axis = 1; axis <= dimension; ++axis) {
+                 for (const auto& title : components("e" + std::to_string(axis), dimension)) {
+                   titles.push_back(title);
+                 }
+               }
+               return titles;
+             },
+             [](std::vector<double>& row, const PointState& state, std::size_t dimension) {
+               if (!state.moves) return append_none(row, dimension * dimension);
+               for (const auto& axis : state.frame[0]) append_all(row, axis);
+             }},
+    Quantity{"rates",
+             [](std::size_t dimension) {
+               return dimension == 2 ? std::vector<std::string>{"chi"}
+                                     : std::vector<std::string>{"chi1", "chi2", "chi3"};
+             },
+             [](std::vector<double>& row, const PointState& state, std::size_t dimension) {
+               if (!state.moves) return append_none(row, dimension == 2 ? 1 : 3);
+               append_all(row, state.rates.body_per_xi[0]);
+             }},
+};
+
+std::vector<const Quantity*> chosen(const std::vector<std::string>& names) {
+  std::vector<const Quantity*> result;
+  for (const Quantity& quantity : quantities) {
+    for (const std::string& name : names) {
+      if (name == quantity.name) {
+        result.push_back(&quantity);
+        break;
+      }
+    }
+  }
+  return result;
+}
+
+SamplePlan plan_of(const SampleFlags& flags) {
+  constexpr std::size_t default_count = 101;
+  SamplePlan plan;
+  if (flags.count_in_xi > 0) {
+    plan.count_in_xi = flags.count_in_xi;
+  } else if (flags.per_segment > 0) {
+    plan.count_per_segment = flags.per_segment;
+  } else if (flags.step != 0.0) {
+    plan.step = flags.step;
+  } else if (flags.chord != 0.0) {
+    plan.chord_tolerance = flags.chord;
+  } else if (!flags.xi.empty()) {
+    plan.xi = flags.xi;
+  } else if (!flags.arc_length.empty()) {
+    plan.arc_length = flags.arc_length;
+  } else {
+    plan.count = flags.count == 0 ? default_count : flags.count;
+  }
+  return plan;
+}
+
+/// Writes rows as CSV, or as a JSON object of "columns" and "rows"; what does not exist is an empty
+/// field or null.
+class RowWriter {
+ public:
+  RowWriter(OutputFile& file, const std::vector<std::string>& titles, bool json)
+      : file_(file), json_(json) {
+    if (json_) {
+      text_ = "{\"columns\": [";
+      for (std::size_t i = 0; i < titles.size(); ++i) {
+        text_ += (i == 0 ? "\"" : ", \"") + titles[i] + "\"";
+      }
+      text_ += "],\n \"rows\": [";
+    } else {
+      append_csv_header(text_, titles);
+    }
+  }
+  void row(const std::vector<double>& values) {
+    if (json_) text_ += first_ ? "\n  [" : ",\n  [";
+    first_ = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (i > 0) text_ += json_ ? ", " : ",";
+      if (std::isfinite(values[i])) {
+        text_ += to_text(values[i]);
+      } else if (json_) {
+        text_ += "null";
+      }
+    }
+    text_ += json_ ? "]" : "\n";
+    constexpr std::size_t enough = std::size_t{1} << 16U;
+    if (text_.size() > enough) {
+      file_.write(text_);
+      text_.clear();
+    }
+  }
+  void finish() {
+    if (json_) text_ += "\n]}\n";
+    file_.write(text_);
+    if (const auto fault = file_.commit()) throw Error(*fault);
+  }
+
+ private:
+  OutputFile& file_;
+  bool json_, first_ = true;
+  std::string text_;
+};
+
+void run(const SampleFlags& flags) {
+  const PathDocument document = load_document(flags.document).value();
+  const AnyPath& path = document.path;
+  const auto parameters = sampled_parameters(path, plan_of(flags)).value();
+  const std::vector<const Quantity*> extra = chosen(flags.with);
+
+  const std::size_t dimension = path.dimension();
+  std::vector<std::string> titles = {"xi", "s"};
+  for (const auto& title : components("", dimension)) titles.push_back(title);
+  for (const Quantity* quantity : extra) {
+    for (const auto& title : quantity->titles(dimension)) titles.push_back(title);
+  }
+
+  OutputFile file = OutputFile::create(flags.output).value();
+  RowWriter writer(file, titles, flags.format == "json");
+  std::vector<double> row, point(dimension);
+  for (const double xi : parameters) {
+    row.assign({xi, path.arc_length(xi)});
+    if (extra.empty()) {
+      path.position(xi, point);
+      append_all(row, point);
+    } else {
+      const PointState state = state_at(path, xi, document.roll);
+      append_all(row, state.position[0]);
+      for (const Quantity* quantity : extra) quantity->append(row, state, dimension);
+    }
+    writer.row(row);
+  }
+  writer.finish();
+}
+
+}  // namespace
+
+void add_sample(CLI::App& program) {
+  auto flags = std::make_shared<SampleFlags>();
+  CLI::App* const command = program.add_subcommand(
+      "sample", "Write points of a path, with its frame if wanted, as CSV or JSON.");
+  command->footer(example({"hodograph sample gateway.json --count 1000 -o points.csv",
+                           "hodograph sample gateway.json --step 0.01 --with frame,curvature",
+                           "hodograph sample gateway.json --xi 0,0.5,1.25 --format json"}));
+  command->add_option("document", flags->document, "the path document ('-': standard input)")
+      ->type_name("FILE")
+      ->required();
+  auto* const where = command->add_option_group("Where", "Where to sample (one of)");
+  where
+      ->add_option("-n,--count", flags->count,
+                   "N points, evenly spaced in arc length (default 101)")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  where->add_option("--count-xi", flags->count_in_xi, "N points, evenly spaced in xi")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  where
+      ->add_option("--per-segment", flags->per_segment,
+                   "N intervals in every segment, knots included")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  where->add_option("--step", flags->step, "a point every S of arc length, and the end")
+      ->type_name("S");
+  where
+      ->add_option("--chord", flags->chord,
+                   "as many points as keep the polyline through them within E of the path")
+      ->type_name("E");
+  where->add_option("--xi", flags->xi, "at these parameters")->type_name("XI,...")->delimiter(',');
+  where->add_option("--arc-length", flags->arc_length, "at these arc lengths")
+      ->type_name("S,...")
+      ->delimiter(',');
+  where->require_option(0, 1);
+  std::vector<std::string> names;
+  std::string listed;
+  for (const Quantity& quantity : quantities) {
+    names.emplace_back(quantity.name);
+    listed += std::string(listed.empty() ? "" : ", ") + quantity.name;
+  }
+  command->add_option("--with", flags->with, "more columns: " + listed)
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names))
+      ->group("What");
+  command->add_option("--format", flags->format, "csv (default) or json")
+      ->type_name("FORMAT")
+      ->check(CLI::IsMember({"csv", "json"}))
+      ->group("What");
+  command->add_option("-o,--out,--output", flags->output, "the table (default: standard output)")
+      ->type_name("FILE")
+      ->group("Files");
+  command->callback([flags] { run(*flags); });
+}
+
+}  // namespace hodograph::cli

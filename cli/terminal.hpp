@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What the program says while it works: progress on a terminal, nothing in a pipe.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace hodograph::cli {
+
+/// The text without line breaks and control characters.
+std::string on_one_line(std::string_view text);
+
+/// Remembers the formula that was typed, so that a mistake in it can be pointed at.
+void remember_formula(const std::string& formula);
+/// On a terminal: the formula, and a caret under the character with this index.
+void show_place(std::size_t index);
+
+/// A progress line on standard error, rewritten in place; shown on a terminal alone, and only once
+/// the work has lasted a while. Wiped when the object goes.
+class Progress {
+ public:
+  explicit Progress(std::string what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Shows how many segments cover which fraction of ξ; always true, as fit() asks.
+  bool operator()(std::size_t segments, double fraction);
+
+ private:
+  std::string what_;
+  bool on_terminal_ = false, shown_ = false;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/// Writes to standard output, and throws Error (not_written) where that fails.
+void print(std::string_view text);
+
+}  // namespace hodograph::cli
