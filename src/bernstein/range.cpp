@@ -200,9 +200,9 @@ class Search {
 
   void push(Candidate candidate, const Bounds& bounds, Piece* piece = nullptr) {
     const double parent_bound = candidate.depth > 0 ? candidate.bound : infinity;
-    const Enclosure first = signed_(bounds.first), last = signed_(bounds.last);
+    const Enclosure first = oriented(bounds.first), last = oriented(bounds.last);
     attained_ = std::max(attained_, std::max(first.lower(), last.lower()));
-    candidate.bound = std::min(parent_bound, signed_(bounds.all).upper());
+    candidate.bound = std::min(parent_bound, oriented(bounds.all).upper());
     if (candidate.bound < attained_) return;
     const Enclosure& higher = first.upper() < last.upper() ? last : first;
     const double noise = higher.upper() - higher.lower();
@@ -214,9 +214,9 @@ class Search {
     std::push_heap(heap_.begin(), heap_.end());
   }
 
-  Enclosure signed_(const Enclosure& x) const { return negative_ ? -x : x; }
+  Enclosure oriented(const Enclosure& x) const { return negative_ ? -x : x; }
   Enclosure finished(double bound) const {
-    return signed_(Enclosure(attained_, std::max(bound, attained_)));
+    return oriented(Enclosure(attained_, std::max(bound, attained_)));
   }
 
   const Source& source_;
