@@ -73,7 +73,7 @@ std::string enclosure_text(const Enclosure& value, int digits = digits_shown) {
   const auto text = [&](double number, Rounding rounding = Rounding::nearest) {
     return shown(number, rounding, digits);
   };
-  const std::string nearest = text(value.middle());
+  std::string nearest = text(value.middle());
   if (text(value.lower()) == nearest && text(value.upper()) == nearest) return nearest;
   return text(value.lower(), Rounding::down) + " to " + text(value.upper(), Rounding::up);
 }
@@ -268,7 +268,7 @@ std::string report_text(const ReportData& data) {
   for (const auto& row : rows) widest = std::max(widest, row.first.size());
   std::string text;
   for (const auto& [name, value] : rows) {
-    text += "  " + name + std::string(widest - name.size() + 2, ' ') + value + "\n";
+    text.append("  ").append(name).append(widest - name.size() + 2, ' ').append(value) += '\n';
   }
   return text;
 }

@@ -3,20 +3,20 @@
 #include "hodograph/io/svg.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 
-#include "foreign_text.hpp"
+#include "markup.hpp"
 #include "ticks.hpp"
 
 namespace hodograph {
 namespace {
 
+using io_detail::append_pixels;
 using io_detail::decade_ticks;
 using io_detail::linear_ticks;
+using io_detail::Markup;
 using io_detail::TickedRange;
 
 // Sizes in pixels.
@@ -42,72 +42,6 @@ constexpr double padding = 0.05;
 constexpr double smallest_drawn = 1e-290;
 
 bool is_drawn(double value) { return std::abs(value) <= largest_drawn; }
-
-void append(std::string& out, double pixels) {
-  std::array<char, 64> buffer{};
-  constexpr int decimals = 2;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), pixels,
-                                          std::chars_format::fixed, decimals);
-  std::string_view text(
-      buffer.data(),
-      static_cast<std::size_t>((error == std::errc{} ? end : buffer.data()) - buffer.data()));
-  while (text.ends_with('0')) text.remove_suffix(1);
-  if (text.ends_with('.')) text.remove_suffix(1);
-  out += text == "-0" || text.empty() ? "0" : text;
-}
-
-/// Elements with attributes; numbers are pixels.
-class Markup {
- public:
-  Markup& open(std::string_view name) {
-    out += '<';
-    out += name;
-    return *this;
-  }
-  Markup& attribute(std::string_view name, double value) {
-    out += ' ';
-    out += name;
-    out += "=\"";
-    append(out, value);
-    out += '"';
-    return *this;
-  }
-  Markup& attribute(std::string_view name, std::string_view value) {
-    out += ' ';
-    out += name;
-    out += "=\"";
-    out += escaped_markup(value);
-    out += '"';
-    return *this;
-  }
-  void close() { out += "/>\n"; }
-  void close_with_text(std::string_view name, std::string_view text) {
-    out += '>';
-    out += escaped_markup(text);
-    out += "</";
-    out += name;
-    out += ">\n";
-  }
-  void text(double x, double y, std::string_view style, std::string_view content) {
-    open("text").attribute("x", x).attribute("y", y).attribute("class", style);
-    close_with_text("text", content);
-  }
-  void line(double x1, double y1, double x2, double y2, std::string_view style) {
-    open("path").attribute("class", style);
-    out += " d=\"M";
-    point(x1, y1);
-    out += 'L';
-    point(x2, y2);
-    out += '"';
-    close();
-  }
-  void point(double x, double y) {
-    append(out, x);
-    out += ' ';
-    append(out, y);
-  }
-  std::string out;
-};
 
 std::string color_class(PlotColor color) {
   return "hg-c" + std::to_string(static_cast<int>(color));
@@ -299,7 +233,7 @@ class Drawing {
   std::string view_box() const {
     std::string box;
     for (const double number : {left_, top_, right_ - left_, bottom_ - top_}) {
-      append(box, number);
+      append_pixels(box, number);
       box += ' ';
     }
     box.pop_back();
@@ -551,9 +485,9 @@ void open_svg(Markup& markup, double width, double height, std::string_view titl
   markup.open("svg");
   if (standalone) markup.attribute("xmlns", std::string_view("http://www.w3.org/2000/svg"));
   std::string box = "0 0 ";
-  append(box, width);
+  append_pixels(box, width);
   box += ' ';
-  append(box, height);
+  append_pixels(box, height);
   markup.attribute("class", std::string_view("hg-plot")).attribute("viewBox", box);
   if (standalone) markup.attribute("width", width).attribute("height", height);
   markup.attribute("role", std::string_view("img"));
@@ -562,73 +496,6 @@ void open_svg(Markup& markup, double width, double height, std::string_view titl
 }
 
 }  // namespace
-
-std::string escaped_markup(std::string_view text) {
-  constexpr unsigned char first_printable = 0x20;
-  std::string out;
-  while (!text.empty()) {
-    const std::size_t length = io_detail::utf8_length(text);
-    const char c = text[0];
-    if (length == 0 ||
-        (static_cast<unsigned char>(c) < first_printable && c != '\n' && c != '\t')) {
-      out += "\xef\xbf\xbd";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '"') {
-      out += "&quot;";
-    } else {
-      out += text.substr(0, length);
-    }
-    text.remove_prefix(std::max<std::size_t>(length, 1));
-  }
-  return out;
-}
-
-std::string_view plot_style() {
-  return R"(.hg-plot{font:12px system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
-.hg-paper{fill:#fff}
-.hg-title{fill:#1b2733;font-weight:600;font-size:13px}
-.hg-text{fill:#51606e}
-.hg-unit{fill:#51606e;font-weight:400;font-size:12px}
-.hg-end{text-anchor:end}
-.hg-middle{text-anchor:middle}
-.hg-halo{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
-.hg-grid,.hg-axis,.hg-mark,.hg-level,.hg-line,.hg-arrow{fill:none}
-.hg-grid{stroke:#e4e9ee;stroke-width:1}
-.hg-axis{stroke:#8b99a6;stroke-width:1}
-.hg-mark{stroke:#8b99a6;stroke-width:1}
-.hg-level{stroke:#51606e;stroke-width:1.25;stroke-dasharray:6 4}
-.hg-line{stroke-width:1.75;stroke-linejoin:round;stroke-linecap:round}
-.hg-dash{stroke-dasharray:5 4;stroke-linecap:butt}
-.hg-arrow{stroke-width:1.25;stroke-linecap:round;stroke-linejoin:round}
-.hg-ring{stroke:#fff;stroke-width:1}
-.hg-c0{stroke:#0068b5}.hg-dot.hg-c0{fill:#0068b5;stroke:none}
-.hg-c1{stroke:#d5500c}.hg-dot.hg-c1{fill:#d5500c;stroke:none}
-.hg-c2{stroke:#00896b}.hg-dot.hg-c2{fill:#00896b;stroke:none}
-.hg-c3{stroke:#a8448f}.hg-dot.hg-c3{fill:#a8448f;stroke:none}
-.hg-c4{stroke:#bd8700}.hg-dot.hg-c4{fill:#bd8700;stroke:none}
-.hg-c5{stroke:#4a5865}.hg-dot.hg-c5{fill:#4a5865;stroke:none}
-@media screen and (prefers-color-scheme:dark){
-.hg-paper{fill:#13181d}
-.hg-title{fill:#e8edf2}
-.hg-text,.hg-unit{fill:#a3b1be}
-.hg-halo{stroke:#13181d}
-.hg-grid{stroke:#27313a}
-.hg-axis,.hg-mark{stroke:#6b7985}
-.hg-level{stroke:#a3b1be}
-.hg-c0{stroke:#5cb0f0}.hg-dot.hg-c0{fill:#5cb0f0}
-.hg-c1{stroke:#ff8d55}.hg-dot.hg-c1{fill:#ff8d55}
-.hg-c2{stroke:#3cc4a0}.hg-dot.hg-c2{fill:#3cc4a0}
-.hg-c3{stroke:#e38fd0}.hg-dot.hg-c3{fill:#e38fd0}
-.hg-c4{stroke:#e8bb3f}.hg-dot.hg-c4{fill:#e8bb3f}
-.hg-c5{stroke:#b4c0cb}.hg-dot.hg-c5{fill:#b4c0cb}
-}
-)";
-}
 
 std::string svg_element(const Plot& plot) {
   Markup markup;
