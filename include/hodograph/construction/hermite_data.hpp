@@ -19,8 +19,8 @@ enum class HermiteChoice {
   /// approximation order 2m + 2 (ten for C⁴ data). No standard form, no singular directions.
   order_ten,
   /// Every free parameter zero in the standard form of PHODCOS, Algorithm 1: order 4 for C¹ data
-  /// and 6
-  /// for all others. Single arcs above 180° go the wrong way round.
+  /// and 6 for all others. Single arcs above 180° go the wrong way round, or are refused where they
+  /// are symmetric.
   order_six,
 };
 
