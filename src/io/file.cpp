@@ -119,7 +119,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   }
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
-  if (!exists && errno != ENOENT) return not_written(file.shown_name_, errno);
+  if (!exists && (errno != ENOENT || path.empty())) return not_written(file.shown_name_, errno);
   if (exists && S_ISDIR(status.st_mode)) return not_written(file.shown_name_, EISDIR);
   file.owns_descriptor_ = true;
   if (exists && !S_ISREG(status.st_mode)) {
