@@ -72,6 +72,16 @@ struct BinomialRow {
   }
 };
 
+/// The row 1/C(n, 0), ..., 1/C(n, n).
+template <class R, std::size_t n>
+struct ReciprocalBinomials {
+  constexpr std::array<R, n + 1> operator()() const {
+    std::array<R, n + 1> row{};
+    for (std::size_t i = 0; i <= n; ++i) row[i] = ratio<R>(1, binomial(n, i));
+    return row;
+  }
+};
+
 /// The weights C(m,i) C(n,j) / C(m+n,i+j) of a product of Bernstein polynomials.
 template <class R, std::size_t m, std::size_t n>
 struct ProductWeights {

@@ -228,16 +228,26 @@ constexpr auto product(const BernsteinPolynomial<V, m>& f, const BernsteinPolyno
 }
 
 /// The product of f with itself under a symmetric bilinear form: half the work of product(f, f).
+///   C(2n,k) h_k = Σ_{i+j=k} form(C(n,i) f_i, C(n,j) f_j), equal terms taken once and doubled.
 template <class V, std::size_t n, class Form>
 constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& form) {
   using S = scalar_of_t<V>;
   using R = real_of_t<S>;
-  const auto& weights = constant_table<R, ProductWeights<R, n, n>>();
+  const auto& row = constant_table<R, BinomialRow<R, n>>();
+  const auto& reciprocals = constant_table<R, ReciprocalBinomials<R, 2 * n>>();
+  std::array<V, n + 1> scaled = f.coefficients();
+  for (std::size_t i = 1; i < n; ++i) scaled[i] = S(row[i]) * scaled[i];
   BernsteinPolynomial<decltype(form(f[0], f[0])), 2 * n> h;
-  for (std::size_t i = 0; i <= n; ++i) {
-    h[2 * i] = h[2 * i] + S(weights[i][i]) * form(f[i], f[i]);
-    for (std::size_t j = i + 1; j <= n; ++j) {
-      h[i + j] = h[i + j] + S(R(2) * weights[i][j]) * form(f[i], f[j]);
+  for (std::size_t k = 0; k <= 2 * n; ++k) {
+    std::size_t i = k > n ? k - n : 0;
+    if (2 * i == k) {
+      h[k] = form(scaled[i], scaled[i]);
+    } else {
+      auto sum = form(scaled[i], scaled[k - i]);
+      for (++i; 2 * i < k; ++i) sum = sum + form(scaled[i], scaled[k - i]);
+      sum = sum + sum;
+      if (2 * i == k) sum = sum + form(scaled[i], scaled[i]);
+      h[k] = S(reciprocals[k]) * sum;
     }
   }
   return h;

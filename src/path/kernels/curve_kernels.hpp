@@ -215,7 +215,7 @@ bool states(const SegmentData& data, const double* u, std::size_t count, const S
 
 /// Steps of arc_length_map_impl.hpp.
 struct LaneSteps {
-  P rest, slope, newton, halley;
+  P rest, slope, newton, bend;
   template <class E>
   [[gnu::always_inline]] LaneSteps(const SegmentData& data, const E& e, const P& t) {
     rest = t - e.length;
@@ -223,8 +223,10 @@ struct LaneSteps {
     const P reciprocal = P(1.0) / slope;
     const P turn = P(data.step) * speed_form(e.preimage, e.rate);
     newton = rest * reciprocal;
-    halley = newton / (P(1.0) + newton * (turn * reciprocal));
+    bend = newton * (turn * reciprocal);
   }
+  [[gnu::always_inline]] P halley() const { return newton / (P(1.0) + bend); }
+  [[gnu::always_inline]] P small_step() const { return newton - newton * bend; }
 };
 
 struct LaneBracket {
@@ -258,8 +260,8 @@ void points(const SegmentData& data, const double* t, const double* guess, std::
     for (int step = 0; step < lane_steps; ++step) {
       const Evaluation<dimension, n> e(data, u, true);
       const LaneSteps to(data, e, target);
-      const P& du = to.halley;
-      const Mask accept = !done && abs(du) <= reach && abs(to.newton) <= reach;
+      const P du = to.small_step();
+      const Mask accept = !done && abs(to.newton) <= reach;
       const auto first_form = hodograph_form(e.preimage, e.preimage);
       const auto second_form = hodograph_form(e.preimage, e.rate);
       const P factor = P(data.step) * du;
@@ -270,7 +272,7 @@ void points(const SegmentData& data, const double* t, const double* guess, std::
       }
       done = done || accept;
       if (done.all()) break;
-      u = select(done, u, bracket.next(P(0.0) < to.rest, u, u + du));
+      u = select(done, u, bracket.next(P(0.0) < to.rest, u, u + to.halley()));
     }
     store_rows(out + size * first, point, here);
     note(settled + first, done, here);
@@ -305,7 +307,7 @@ void parameters(const SegmentData& data, double margin_, const double* t, const 
       result = select(accept, node + min(width, to.newton), result);
       done = done || accept;
       if (done.all()) break;
-      u = select(done, u, bracket.next(P(0.0) < to.rest, node, node + to.halley));
+      u = select(done, u, bracket.next(P(0.0) < to.rest, node, node + to.halley()));
     }
     store_rows<1>(out + first, {result}, here);
     note(settled + first, done, here);

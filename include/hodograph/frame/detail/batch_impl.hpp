@@ -21,16 +21,15 @@ void evaluate(const Path<A, n>& path, std::span<const typename A::Scalar> xi,
   require_inside(xi, path.xi_begin(), path.xi_end(), "path parameter xi");
 
   const bool oriented = !out.frames.empty() || !out.body_rates_per_xi.empty();
-  const auto one = [&](std::size_t i) {
+  const auto one = [&](std::size_t i, const PathLocation<typename A::Scalar>& at) {
     if (oriented) {
-      const PathState<A> state = evaluate(path, xi[i]);
+      const PathState<A> state = evaluate(path, at);
       if (!out.positions.empty()) out.positions[i] = state.position;
       if (!out.frames.empty()) out.frames[i] = state.frame;
       if (!out.body_rates_per_xi.empty()) out.body_rates_per_xi[i] = state.body_rate_per_xi;
       if (!out.speeds.empty()) out.speeds[i] = state.speed;
       if (!out.arc_lengths.empty()) out.arc_lengths[i] = state.arc_length;
     } else {
-      const auto at = path.locate(xi[i]);
       const auto& curve = path.segment(at.segment);
       const CurvePoint<A> point = curve.evaluate(at.u);
       if (!out.positions.empty()) out.positions[i] = curve.start() + point.integral.displacement;
@@ -45,10 +44,11 @@ void evaluate(const Path<A, n>& path, std::span<const typename A::Scalar> xi,
 
   const Kernels* kernels = find_kernels<A, n>();
   for (std::size_t i = 0; i < xi.size();) {
+    const auto at = path.locate(xi[i]);
     std::size_t count = 1;
     if constexpr (std::is_same_v<typename A::Scalar, double>) {
       if (kernels != nullptr) {
-        const std::size_t k = path.locate(xi[i]).segment;
+        const std::size_t k = at.segment;
         const double begin = path.knots()[k], step = path.knots()[k + 1] - begin;
         count = run_length(xi, i, begin, path.knots()[k + 1]);
         if (count >= shortest_run) {
@@ -64,7 +64,8 @@ void evaluate(const Path<A, n>& path, std::span<const typename A::Scalar> xi,
         }
       }
     }
-    for (const std::size_t end = i + count; i < end; ++i) one(i);
+    one(i++, at);
+    for (const std::size_t end = i + count - 1; i < end; ++i) one(i, path.locate(xi[i]));
   }
 }
 

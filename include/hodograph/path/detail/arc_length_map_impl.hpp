@@ -65,16 +65,19 @@ constexpr int most_steps = 8;  // Halley's iteration settles in 1 to 4; then the
 /// The length still to go from a point of a curve, and Newton's and Halley's steps to there.
 template <class S>
 struct Steps {
-  S rest, slope, newton, halley;
+  S rest, slope, newton, bend;  // bend: newton s''/(2 s')
   template <class Curve, class A>
-  Steps(const Curve& curve, const CurvePoint<A>& at, const S& t)
+  [[gnu::always_inline]] Steps(const Curve& curve, const CurvePoint<A>& at, const S& t)
       : rest(t - at.integral.arc_length),
         slope(curve.parameter_step() * speed_form(at.preimage, at.preimage)) {
     const S reciprocal = S(1) / slope;
     const S turn = curve.parameter_step() * speed_form(at.preimage, at.preimage_rate);  // s''/2
     newton = rest * reciprocal;
-    halley = newton / (S(1) + newton * (turn * reciprocal));
+    bend = newton * (turn * reciprocal);
   }
+  S halley() const { return newton / (S(1) + bend); }
+  /// The same up to terms of third order, without a division: for small steps.
+  S small_step() const { return newton - newton * bend; }
 };
 
 /// u of the arc length t from the first guess u. Domain: 0 < t < curve.arc_length().
@@ -97,7 +100,7 @@ typename A::Scalar search(const PhCurve<A, n>& curve, const typename A::Scalar& 
       return node + (to.newton < width ? to.newton : width);
     }
     if (-margin < to.rest && -margin < beyond) break;  // too close to a node to tell
-    u = bracket.next(S(0) < to.rest, node, node + to.halley);
+    u = bracket.next(S(0) < to.rest, node, node + to.halley());
   }
   const S node = descend(curve, t, cells) * width;
   const Steps<S> to(curve, curve.evaluate_speed(node), t);
@@ -122,7 +125,7 @@ typename A::Scalar parameter_at(const PhCurve<A, n>& curve, const ArcLengthTable
 }
 
 /// The point at the arc length t from the start of the curve. From a point within 2^-18 of it,
-/// Halley's step and the Taylor polynomial of degree two leave out terms of size 2^-54.
+/// steps and the Taylor polynomial of degree two leave out terms of size 2^-54.
 template <PreimageAlgebra A, std::size_t n>
 point_t<A> point_at(const PhCurve<A, n>& curve, const ArcLengthTable& table,
                     const typename A::Scalar& t) {
@@ -137,13 +140,13 @@ point_t<A> point_at(const PhCurve<A, n>& curve, const ArcLengthTable& table,
   for (int step = 0; step < most_steps; ++step) {
     const CurvePoint<A> at = curve.evaluate(u);
     const Steps<S> to(curve, at, t);
-    const S& du = to.halley;
-    if (abs(du) <= reach && abs(to.newton) <= reach) {
+    if (abs(to.newton) <= reach) {
+      const S du = to.small_step();
       const auto first = hodograph_form(at.preimage, at.preimage);
       const auto second = hodograph_form(at.preimage, at.preimage_rate);
       return curve.start() + (at.integral.displacement + (h * du) * (first + du * second));
     }
-    u = bracket.next(S(0) < to.rest, u, u + du);
+    u = bracket.next(S(0) < to.rest, u, u + to.halley());
   }
   return curve.position(search(curve, t, u));
 }
