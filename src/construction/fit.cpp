@@ -71,14 +71,16 @@ class Fitter {
     while (!stack.empty()) {
       const Interval interval = stack.back();
       stack.pop_back();
-      const auto error = error_of(interval);
+      const auto bound = bound_of(interval);
+      if (bound) {
+        if (auto fault = hole_fault(*bound)) return *fault;
+      }
+      const auto error = bound ? std::optional(bound->error.upper()) : std::nullopt;
       if (error && *error <= options_.tolerance) {
         knots.push_back(interval.end);
         if (options_.progress && !options_.progress(knots.size() - 1, (interval.end.xi - first.xi) /
                                                                           (last.xi - first.xi))) {
-          return Fault{FaultCode::cancelled, "the fit was stopped on request",
-                       std::nullopt,         "",
-                       std::nullopt,         std::nullopt};
+          return cancelled();
         }
         continue;
       }
@@ -116,6 +118,7 @@ class Fitter {
     errors.reserve(path->segment_count());
     for (std::size_t k = 0; k < path->segment_count(); ++k) {
       errors.push_back(measure_(path->segment(k), knots[k].xi, knots[k + 1].xi));
+      if (auto fault = hole_fault(errors.back())) return *fault;
     }
     ErrorBound total = errors[0];
     for (const ErrorBound& error : errors) total = larger_error(total, error);
@@ -124,35 +127,69 @@ class Fitter {
 
   /// The fewest uniform segments within the tolerance: doubling, then bisection on the number.
   Result<Fit> fewest_uniform(const Knot& first, const Knot& last) const {
-    std::size_t enough = 2;
     std::optional<Fit> best;
     Fault reason;
+    double reached = std::numeric_limits<double>::infinity();
+    bool near_rounding = false;
     const auto attempt = [&](std::size_t count) -> bool {
+      reached = std::numeric_limits<double>::infinity();
+      near_rounding = false;
       auto knots = uniform(first, last, count);
       if (!knots) {
         reason = knots.fault();
         return false;
       }
+      double size = options_.tolerance;
+      for (const Knot& k : *knots) size = std::max(size, largest_component(k.data[0]));
       auto result = fitted(*knots);
       if (!result) {
         reason = result.fault();
         return false;
       }
-      reason = not_reached(result->error.error.upper(), count, result->error.at_xi);
-      if (!(result->error.error.upper() <= options_.tolerance)) return false;
+      reached = result->error.error.upper();
+      near_rounding = reached <= rounding_region * epsilon<double>() * size;
+      reason = not_reached(reached, count, result->error.at_xi);
+      if (!(reached <= options_.tolerance)) return false;
       best = std::move(*result);
+      if (options_.progress && !options_.progress(count, 1.0)) {
+        reason = cancelled();
+        return false;
+      }
       return true;
     };
+    std::size_t enough = 1, too_few = 0;
+    int stagnant = 0;
+    double before = std::numeric_limits<double>::infinity();
     while (!attempt(enough)) {
-      if (enough >= options_.most_segments) return reason;
+      // What the curve lacks at one knot, more knots will not bring; the rest they may.
+      if (reason.code == FaultCode::not_finite || reason.code == FaultCode::zero_speed ||
+          reason.code == FaultCode::cancelled || enough >= options_.most_segments) {
+        return reason;
+      }
+      stagnant = near_rounding && !(reached < 0.5 * before) ? stagnant + 1 : 0;
+      if (stagnant > most_stagnant_steps) {
+        reason.sentence += rounding_hint();
+        return reason;
+      }
+      before = reached;
+      too_few = enough;
       enough = std::min(2 * enough, options_.most_segments);
     }
-    std::size_t too_few = enough / 2;
     while (enough - too_few > 1) {
       const std::size_t middle = too_few + (enough - too_few) / 2;
       (attempt(middle) ? enough : too_few) = middle;
+      if (reason.code == FaultCode::cancelled) return reason;
     }
     return std::move(*best);
+  }
+
+  static Fault cancelled() {
+    return {FaultCode::cancelled, "the fit was stopped on request", std::nullopt, "", std::nullopt,
+            std::nullopt};
+  }
+  static std::string rounding_hint() {
+    return "; that is the rounding of double precision at these coordinates, ask for more than "
+           "that";
   }
 
   Fault not_reached(double error, std::size_t segments, double xi) const {
@@ -167,12 +204,20 @@ class Fitter {
 
  private:
   /// The error of one segment over the interval; nothing where no segment exists.
-  std::optional<double> error_of(const Interval& interval) const {
+  std::optional<ErrorBound> bound_of(const Interval& interval) const {
     const auto curve =
         hermite_curve<4, double>(interval.begin.data, interval.end.data,
                                  interval.end.xi - interval.begin.xi, options_.choice);
     if (!curve) return std::nullopt;
-    return measure_(*curve, interval.begin.xi, interval.end.xi).error.upper();
+    return measure_(*curve, interval.begin.xi, interval.end.xi);
+  }
+
+  /// Where the error is unbounded, the curve itself may be missing: the fault that says so.
+  std::optional<Fault> hole_fault(const ErrorBound& bound) const {
+    if (std::isfinite(bound.error.upper()) || is_finite(gamma_(bound.at_xi)[0])) {
+      return std::nullopt;
+    }
+    return knot(bound.at_xi).fault();
   }
 
   Result<std::pair<Interval, Interval>> halved(const Interval& interval,
@@ -312,8 +357,12 @@ ErrorBound estimated_error(const DerivativeCurve& gamma, const SpatialPhCurve<8>
   int largest = 0;
   for (int i = 0; i <= samples + 1; ++i) {
     seen[static_cast<std::size_t>(i)] = distance(static_cast<double>(i) / (samples + 1));
-    if (!(seen[static_cast<std::size_t>(i)] <= seen[static_cast<std::size_t>(largest)]))
-      largest = i;
+    if (!std::isfinite(seen[static_cast<std::size_t>(i)])) {
+      const double at = static_cast<double>(i) / (samples + 1);
+      return {Enclosure(0.0, std::numeric_limits<double>::infinity()), false,
+              (1.0 - at) * xi_begin + at * xi_end};
+    }
+    if (seen[static_cast<std::size_t>(i)] > seen[static_cast<std::size_t>(largest)]) largest = i;
   }
   double u = static_cast<double>(largest) / (samples + 1);
   double error = seen[static_cast<std::size_t>(largest)];
