@@ -25,7 +25,7 @@ class [[nodiscard]] Result {
     require_value();
     return std::get<0>(content_);
   }
-  T&& value() && {
+  T value() && {
     require_value();
     return std::get<0>(std::move(content_));
   }
