@@ -47,7 +47,7 @@ void for_each_member(const Json& root, const Json& object, const Pointer& at, co
 std::map<std::string, Json> documents(const Json& good) {
   std::map<std::string, Json> all;
   all["good"] = good;
-  for_each_member(schema(), schema(), {}, [&](const Pointer& at, bool required) {
+  for_each_member(schema(), schema(), Pointer(), [&](const Pointer& at, bool required) {
     Json changed = good;
     changed.at(at.parent_pointer()).erase(at.back());
     all[(required ? "bad, without " : "good, without ") + at.to_string()] = changed;
