@@ -33,12 +33,13 @@ struct Rival {
 /// rival.
 inline void compare(const std::string& question, std::vector<Rival> rivals, int repetitions = 31) {
   using Clock = std::chrono::steady_clock;
-  for (int r = 0; r < repetitions + 2; ++r) {
+  for (int r = 0; r < repetitions; ++r) {
     for (Rival& rival : rivals) {
+      rival.run();
       const auto begin = Clock::now();
       rival.run();
       const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-      if (r >= 2) rival.seconds.push_back(seconds / rival.items);  // two rounds to warm up
+      rival.seconds.push_back(seconds / rival.items);
     }
   }
   std::printf("%s\n  %-52s %10s %10s %8s\n", question.c_str(), "ns an item", "median", "fastest",
