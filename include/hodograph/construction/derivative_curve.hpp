@@ -25,8 +25,7 @@ concept AnalyticCurve = requires(const F& f, const Taylor<double, 4>& xi) {
 /// γ and its first m derivatives at ξ, exact up to rounding: forward differentiation.
 template <std::size_t m, class S, class F>
 HermitePoint<m, S> derivatives_of(const F& f, const S& xi) {
-  using Series = Taylor<S, m>;
-  const Vector3<Series> value = f(Series::variable(xi));
+  const Vector3<Taylor<S, m>> value = f(Taylor<S, m>::variable(xi));
   HermitePoint<m, S> result;
   for (std::size_t r = 0; r <= m; ++r) {
     result[r] = {value.x.derivative(r), value.y.derivative(r), value.z.derivative(r)};
