@@ -22,8 +22,9 @@ namespace hodograph {
 /// a planar curve; invariant under rotation, reflection, scaling (1e-150 to 1e150) and reversal.
 /// The preimage is unique up to one constant factor cos a + i sin a on the right. Faults:
 /// not_finite, zero_speed (index 0: start, 1: end), outside_domain (h ≤ 0), no_interpolant (the
-/// data ask the curve to leave its plane or to wander, see accuracy.hpp). Accuracy: the end data
-/// are met to a few ε of the largest coefficient.
+/// data ask the curve to turn back or to wander, see accuracy.hpp; order_six finds no reference
+/// direction; or the numbers differ so much in size that their products overflow; the fault's
+/// quantity says which). Accuracy: the end data are met to a few ε of the largest coefficient.
 template <std::size_t m, class S>
 Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
                                                const HermitePoint<m, S>& end, const S& h = S(1),
