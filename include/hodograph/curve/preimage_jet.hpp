@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Everything differential about a PH curve at one point, from the preimage and its derivatives there.
+// Everything differential about a PH curve at one point, from the preimage and its derivatives
+// there.
 //
-// All derivatives are with respect to the global path parameter ξ unless the name says per_arc_length.
+// All derivatives are with respect to the global path parameter ξ unless the name says
+// per_arc_length.
 #pragma once
 
 #include <array>
@@ -25,8 +27,8 @@ constexpr auto form_derivative(const std::array<A, size>& jet, std::size_t r, co
   if (r > 0) sum = S(2) * sum;
   S binomial_weight(1);
   for (std::size_t j = 1; 2 * j <= r; ++j) {
-    binomial_weight = binomial_weight * S(static_cast<double>(r - j + 1)) /
-                      S(static_cast<double>(j));
+    binomial_weight =
+        binomial_weight * S(static_cast<double>(r - j + 1)) / S(static_cast<double>(j));
     const S weight = 2 * j == r ? binomial_weight : S(2) * binomial_weight;
     sum = sum + weight * form(jet[j], jet[r - j]);
   }
@@ -48,7 +50,8 @@ template <class A, std::size_t size>
 constexpr auto hodograph_derivatives(const std::array<A, size>& jet) {
   std::array<point_t<A>, size> result;
   for (std::size_t r = 0; r < size; ++r) {
-    result[r] = form_derivative(jet, r, [](const A& a, const A& b) { return hodograph_form(a, b); });
+    result[r] =
+        form_derivative(jet, r, [](const A& a, const A& b) { return hodograph_form(a, b); });
   }
   return result;
 }

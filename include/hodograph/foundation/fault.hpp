@@ -14,22 +14,22 @@ namespace hodograph {
 /// that has no answer.
 enum class FaultCode {
   // bad input
-  not_finite,           ///< a number is infinite or not a number
-  too_few,              ///< fewer items than the construction needs
-  not_increasing,       ///< knots or parameters that should increase strictly
-  outside_domain,       ///< a value outside the range where the function is defined
-  zero_speed,           ///< derivative data whose velocity vanishes
-  not_continuous,       ///< pieces that should meet and do not
-  mismatched_size,      ///< two lists that should have the same length
-  malformed_document,   ///< a file or request that cannot be read
-  unsupported,          ///< well formed, but not offered
-  broken_promise,       ///< a document whose numbers contradict what it states
-  not_written,          ///< a file that could not be written
+  not_finite,          ///< a number is infinite or not a number
+  too_few,             ///< fewer items than the construction needs
+  not_increasing,      ///< knots or parameters that should increase strictly
+  outside_domain,      ///< a value outside the range where the function is defined
+  zero_speed,          ///< derivative data whose velocity vanishes
+  not_continuous,      ///< pieces that should meet and do not
+  mismatched_size,     ///< two lists that should have the same length
+  malformed_document,  ///< a file or request that cannot be read
+  unsupported,         ///< well formed, but not offered
+  broken_promise,      ///< a document whose numbers contradict what it states
+  not_written,         ///< a file that could not be written
   // no solution
-  no_interpolant,       ///< Hermite data that this construction cannot join
-  tolerance_not_reached,///< a fit that would need more segments than allowed
-  no_convergence,       ///< an iteration that did not settle
-  cancelled,            ///< stopped on request
+  no_interpolant,         ///< Hermite data that this construction cannot join
+  tolerance_not_reached,  ///< a fit that would need more segments than allowed
+  no_convergence,         ///< an iteration that did not settle
+  cancelled,              ///< stopped on request
 };
 
 /// The stable snake_case name of a code, as it stands in files and messages.

@@ -28,7 +28,7 @@ template <class S>
 concept RingScalar = requires(S a, S b) {
   { a + b } -> std::convertible_to<S>;
   { a - b } -> std::convertible_to<S>;
-  { a * b } -> std::convertible_to<S>;
+  { a* b } -> std::convertible_to<S>;
   { -a } -> std::convertible_to<S>;
   S(1);
 };

@@ -269,11 +269,12 @@ Taylor<S, K> atan2(const Taylor<S, K>& y, const Taylor<S, K>& x) {
   // θ' = (x y' - y x')/(x² + y²), integrated term by term.
   const Taylor<S, K> reciprocal = Taylor<S, K>(S(1)) / (x * x + y * y);
   const Taylor<S, K> p = x * reciprocal, q = y * reciprocal;
-  const Taylor<S, K> x_slope = taylor_detail::times_index(x), y_slope = taylor_detail::times_index(y);
+  const Taylor<S, K> x_slope = taylor_detail::times_index(x),
+                     y_slope = taylor_detail::times_index(y);
   Taylor<S, K> angle(S(atan2(y[0], x[0])));
   for (std::size_t k = 1; k <= K; ++k) {
-    angle[k] = taylor_detail::integral_step(y_slope, p, k) -
-               taylor_detail::integral_step(x_slope, q, k);
+    angle[k] =
+        taylor_detail::integral_step(y_slope, p, k) - taylor_detail::integral_step(x_slope, q, k);
   }
   return angle;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How fast the Euler-Rodrigues frame turns, in every form: per unit ξ or per unit arc length, in body
-// components (χ₁, χ₂, χ₃) or as a world vector. In the plane all of them are one number.
+// How fast the Euler-Rodrigues frame turns, in every form: per unit ξ or per unit arc length, in
+// body components (χ₁, χ₂, χ₃) or as a world vector. In the plane all of them are one number.
 //
 // With ' = d/dξ:   R' = R [χ]×,   χ = 2 vec(A* A')/|A|²,   ω = 2 vec(A' A*)/|A|² = R χ.
 // Source: PHODCOS (12), which is per unit ξ; χ₁ = e₂'·e₃, χ₂ = e₃'·e₁, χ₃ = e₁'·e₂.
@@ -77,15 +77,15 @@ constexpr auto per_arc_length(const std::array<A, size>& jet, const std::array<R
 /// χ = (χ₁, χ₂, χ₃) of the ERF, radians per unit ξ, with its derivatives with respect to ξ.
 template <class A, std::size_t size>
 constexpr auto body_rate_per_xi(const std::array<A, size>& jet) {
-  return rate_detail::quotient_rates(
-      jet, [](const A& a, const A& b) { return body_rate_form(a, b); });
+  return rate_detail::quotient_rates(jet,
+                                     [](const A& a, const A& b) { return body_rate_form(a, b); });
 }
 
 /// ω as a world vector, radians per unit ξ, with its derivatives with respect to ξ.
 template <class A, std::size_t size>
 constexpr auto world_rate_per_xi(const std::array<A, size>& jet) {
-  return rate_detail::quotient_rates(
-      jet, [](const A& a, const A& b) { return world_rate_form(a, b); });
+  return rate_detail::quotient_rates(jet,
+                                     [](const A& a, const A& b) { return world_rate_form(a, b); });
 }
 
 /// χ/σ, radians per unit arc length, with its derivatives with respect to arc length.
