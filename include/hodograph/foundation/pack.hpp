@@ -98,7 +98,8 @@ class Pack {
   }
   [[gnu::always_inline]] friend Mask operator>(const Pack& a, const Pack& b) { return b < a; }
   [[gnu::always_inline]] friend Mask operator>=(const Pack& a, const Pack& b) { return b <= a; }
-  [[gnu::always_inline]] friend Mask operator==(const Pack& a, const Pack& b) {
+  // constexpr so that vectors of packs may default their own comparison.
+  [[gnu::always_inline]] friend constexpr Mask operator==(const Pack& a, const Pack& b) {
     return {reinterpret_cast<typename Mask::Lanes>(a.lanes_ == b.lanes_)};
   }
 
