@@ -8,31 +8,30 @@
 
 namespace hodograph::cli {
 
-void add_batch(CLI::App& program) {
+std::unique_ptr<Command> batch_command(CLI::App& program) {
   struct BatchFlags {
     std::string input = "-", output = "-";
   };
   auto flags = std::make_shared<BatchFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "batch", "Answer requests: JSON Lines in, one result a line out, in the same order.");
-  std::string names;
+  auto command = std::make_unique<Command>(
+      program, "batch",
+      "Answer requests: JSON Lines in, one result a line out, in the same order.");
+  command->positional("requests", flags->input, "[FILE]", "the requests (default: standard input)");
+  command->option("-o,--out", flags->output, "FILE", "the results (default: standard output)");
+  command->examples({"echo '{\"request\": \"orbit\", \"name\": \"gateway\"}' | hodograph batch",
+                     "hodograph batch requests.jsonl -o results.jsonl"});
+  std::string note = "Requests (docs/requests.md describes each)\n";
+  constexpr std::size_t column = 14;
   for (const RequestKind& kind : request_kinds()) {
-    names += "\n  " + std::string(kind.name) + std::string(14 - kind.name.size(), ' ') +
-             std::string(kind.summary);
+    note += "  " + std::string(kind.name) + std::string(column - kind.name.size(), ' ') +
+            std::string(kind.summary) + "\n";
   }
-  command->footer(
-      "Requests (docs/requests.md describes each):" + names + "\n\n" +
-      example({"echo '{\"request\": \"orbit\", \"name\": \"gateway\"}' | hodograph batch",
-               "hodograph batch requests.jsonl -o results.jsonl"}) +
-      "\n\nA line that cannot be answered is answered with {\"ok\": false, \"fault\": ...}, and "
-      "the\n"
-      "stream goes on; the exit code is 0 if the stream was read to its end.");
-  command->add_option("requests", flags->input, "the requests (default: standard input)")
-      ->type_name("FILE");
-  command->add_option("-o,--out,--output", flags->output, "the results (default: standard output)")
-      ->type_name("FILE")
-      ->group("Files");
-  command->callback([flags] { run_batch(flags->input, flags->output); });
+  command->note(
+      note +
+      "\nA line that cannot be answered is answered with {\"ok\": false, \"fault\": ...}, and the\n"
+      "stream goes on; the exit code is 0 where the stream was read to its end.");
+  command->run([flags] { run_batch(flags->input, flags->output); });
+  return command;
 }
 
 }  // namespace hodograph::cli

@@ -56,12 +56,12 @@ void check_order(const char* name, int promised, int found, const std::vector<Ju
   const auto r = static_cast<std::size_t>(found + 1);
   if (r >= jumps.size()) {
     Checks::broken(std::string("continuity of the ") + name,
-                   "C" + std::to_string(promised) + " is promised, orders up to " +
+                   std::string("C") + std::to_string(promised) + " is promised, orders up to " +
                        std::to_string(found) + " are looked at",
                    promised, found);
   }
   Checks::broken(std::string("continuity of the ") + name,
-                 "C" + std::to_string(promised) + " is promised, but derivative " +
+                 std::string("C") + std::to_string(promised) + " is promised, but derivative " +
                      std::to_string(r) + " jumps at knot " + std::to_string(jumps[r].knot) +
                      " by " + to_text(jumps[r].jump) + " in relative terms, where " +
                      to_text(jumps[r].allowed) + " is rounding",
@@ -82,7 +82,7 @@ void check_continuity(Checks& checks, const ContinuityOrders& promised, const Pa
 }
 
 std::string range(const Enclosure& bound) {
-  return "[" + to_text(bound.lower()) + ", " + to_text(bound.upper()) + "]";
+  return std::string("[") + to_text(bound.lower()) + ", " + to_text(bound.upper()) + "]";
 }
 
 /// A promised enclosure holds when it contains the one that is computed again.
@@ -90,13 +90,13 @@ void check_bound(Checks& checks, const char* name, const Enclosure& promised,
                  const Enclosure& found) {
   if (!(promised.lower() <= found.lower())) {
     Checks::broken(name,
-                   "at least " + to_text(promised.lower()) + " is promised, " +
+                   std::string("at least ") + to_text(promised.lower()) + " is promised, " +
                        to_text(found.lower()) + " can be shown",
                    promised.lower(), found.lower());
   }
   if (!(found.upper() <= promised.upper())) {
     Checks::broken(name,
-                   "at most " + to_text(promised.upper()) + " is promised, " +
+                   std::string("at most ") + to_text(promised.upper()) + " is promised, " +
                        to_text(found.upper()) + " can be shown",
                    promised.upper(), found.upper());
   }
@@ -147,11 +147,11 @@ void run(const CheckFlags& flags) {
   if (promises.curvature_bound) {
     if (!(facts.curvature_bound <= *promises.curvature_bound)) {
       Checks::broken("curvature",
-                     "at most " + to_text(*promises.curvature_bound) + " is promised, " +
-                         to_text(facts.curvature_bound) + " can be shown",
+                     std::string("at most ") + to_text(*promises.curvature_bound) +
+                         " is promised, " + to_text(facts.curvature_bound) + " can be shown",
                      *promises.curvature_bound, facts.curvature_bound);
     }
-    checks.hold("curvature", "at most " + to_text(*promises.curvature_bound));
+    checks.hold("curvature", std::string("at most ") + to_text(*promises.curvature_bound));
   }
   if (promises.error) check_error(checks, flags, document);
   print(checks.text());
@@ -159,30 +159,26 @@ void run(const CheckFlags& flags) {
 
 }  // namespace
 
-void add_check(CLI::App& program) {
+std::unique_ptr<Command> check_command(CLI::App& program) {
   auto flags = std::make_shared<CheckFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "check", "Compute every promise of a path document again; exit 2 if one does not hold.");
-  command->footer(
-      example({"hodograph check gateway.json", "hodograph check track.json --samples track.csv"}) +
-      "\n\nA formula or an orbit that the document names is taken up again; samples have to be "
-      "given.");
-  command->add_option("document", flags->document, "the path document ('-': standard input)")
-      ->type_name("FILE")
-      ->required();
-  auto* const samples =
-      command->add_option("--samples", flags->samples, "the samples that the path was fitted to")
-          ->type_name("FILE")
-          ->group("Error");
-  command->add_option("--degree", flags->degree, "of the spline through them: 5 (default) or 7")
-      ->type_name("P")
-      ->check(CLI::IsMember({5, 7}))
-      ->needs(samples)
-      ->group("Error");
-  command->add_flag("--periodic", flags->periodic, "the samples are periodic")
-      ->needs(samples)
-      ->group("Error");
-  command->callback([flags] { run(*flags); });
+  auto command = std::make_unique<Command>(
+      program, "check", "Compute every promise of a path document again; exit 2 if one is broken.");
+  command
+      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
+      .required();
+  command->group("Error against samples");
+  const Option samples = command->option("--samples", flags->samples, "FILE",
+                                         "the samples that the path was fitted to");
+  command->option("--degree", flags->degree, "P", "of the spline through them: 5 (default) or 7")
+      .needs(samples);
+  command->flag("--periodic", flags->periodic, "the samples are periodic").needs(samples);
+  command->examples(
+      {"hodograph check gateway.json", "hodograph check track.json --samples track.csv"});
+  command->note(
+      "The error against a formula or an orbit that the document names is computed again, too;\n"
+      "samples are not in the document and have to be given.");
+  command->run([flags] { run(*flags); });
+  return command;
 }
 
 }  // namespace hodograph::cli

@@ -55,68 +55,48 @@ void run(FitCommandFlags flags) {
 
 }  // namespace
 
-void add_fit(CLI::App& program) {
+std::unique_ptr<Command> fit_command(CLI::App& program) {
   auto flags = std::make_shared<FitCommandFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "fit", "Fit samples of a curve, or a curve given by a formula, to a tolerance.");
-  command->footer(
-      example({"hodograph fit --formula \"1.5*sin(7.2*t), cos(9*t), exp(cos(1.8*t))\" -t 1e-6 -o "
-               "curve.json",
-               "hodograph fit track.csv --tolerance 0.01 -o track.json --report track.html",
-               "generate | hodograph fit - -t 1e-6 -o - | hodograph sample - --count 100"}) +
-      "\n\nSamples are joined by a spline of degree 5 (C4), whose error is certified; so is that "
-      "of\n"
-      "a formula. Formulas know + - * / ^, pi, e, t, sqrt exp log sin cos tan asin acos atan "
-      "atan2\n"
-      "sinh cosh tanh abs; \"x, y\" stands for z = 0.");
-  auto* const samples =
-      command
-          ->add_option(
-              "samples", flags->samples,
-              "CSV file of a parameter and two or three coordinates a row ('-': standard input)")
-          ->type_name("FILE");
-  auto* const formula = command->add_option("--formula", flags->formula, "\"x(t), y(t), z(t)\"")
-                            ->type_name("TEXT")
-                            ->excludes(samples)
-                            ->group("Formula");
-  command->add_option("--from", flags->begin, "first t (default 0)")
-      ->type_name("T")
-      ->needs(formula)
-      ->group("Formula");
-  command->add_option("--to", flags->end, "last t (default 1)")
-      ->type_name("T")
-      ->needs(formula)
-      ->group("Formula");
+  auto command = std::make_unique<Command>(
+      program, "fit", "Fit samples of a curve, or a curve given by a formula, to a tolerance.");
+  Option samples = command->positional(
+      "samples", flags->samples, "[FILE]",
+      "CSV file of a parameter and two or three coordinates a row ('-': standard input)");
+  command->group("Formula");
+  Option formula = command->option("--formula", flags->formula, "TEXT",
+                                   "\"x(t), y(t), z(t)\", instead of a file");
+  formula.excludes(samples);
+  command->option("--from", flags->begin, "T", "first t (default 0)").needs(formula);
+  command->option("--to", flags->end, "T", "last t (default 1)").needs(formula);
   command
-      ->add_flag("--closed", flags->fit.closed,
-                 "the curve returns to its start with its derivatives")
-      ->needs(formula)
-      ->group("Formula");
+      ->flag("--closed", flags->fit.closed, "the curve returns to its start with its derivatives")
+      .needs(formula);
+  command->group("Samples");
   command
-      ->add_flag("--periodic", flags->periodic,
-                 "the last sample repeats the first, one period later")
-      ->excludes(formula)
-      ->group("Samples");
-  command->add_option("--degree", flags->degree, "of the spline: 5 (default) or 7")
-      ->type_name("P")
-      ->check(CLI::IsMember({5, 7}))
-      ->group("Samples");
+      ->flag("--periodic", flags->periodic, "the last sample repeats the first, one period later")
+      .excludes(formula);
+  command->option("--degree", flags->degree, "P", "of the spline: 5 (default) or 7");
+  command->option("--parameter", flags->parameter_column, "COLUMN",
+                  "column of the parameter, by name or number (default: the first)");
   command
-      ->add_option("--parameter", flags->parameter_column,
-                   "column of the parameter, by name or number (default: the first)")
-      ->type_name("COLUMN")
-      ->group("Samples");
-  command
-      ->add_option("--columns", flags->point_columns,
-                   "columns of the coordinates (default: x, y, z, or those after the parameter)")
-      ->type_name("A,B,C")
-      ->delimiter(',')
-      ->expected(2, 3)
-      ->group("Samples");
+      ->option("--columns", flags->point_columns, "A,B[,C]",
+               "columns of the coordinates (default: x, y, z, or those after the parameter)")
+      .list(2, 3);
   flags->fit.add_to(*command, "largest position error, in units of length");
   flags->output.add_to(*command, "the path document (default path.json; '-': standard output)",
                        "an HTML report with pictures");
-  command->callback([flags] { run(*flags); });
+  command->examples(
+      {"hodograph fit --formula \"1.5*sin(7.2*t), cos(9*t), exp(cos(1.8*t))\" -t 1e-6",
+       "hodograph fit track.csv --tolerance 0.01 -o track.json --report track.html",
+       "generate | hodograph fit - -t 0.01 -o - | hodograph sample - --count 100"});
+  command->note(
+      "Samples are joined by a spline (C4), and the error against it is certified; so is the "
+      "error\n"
+      "against a formula. Formulas know + - * / ^, pi, e, t, sqrt exp log sin cos tan asin acos "
+      "atan\n"
+      "atan2 sinh cosh tanh abs; \"x, y\" stands for z = 0.");
+  command->run([flags] { run(*flags); });
+  return command;
 }
 
 }  // namespace hodograph::cli

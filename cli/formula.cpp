@@ -62,7 +62,7 @@ class Parser {
   }
   bool fail(const std::string& what) { return fail_at(position_, what); }
   std::string found() const {
-    return position_ < text_.size() ? "'" + shown(text_.substr(position_, 1)) + "'"
+    return position_ < text_.size() ? std::string("'") + shown(text_.substr(position_, 1)) + "'"
                                     : std::string("the end");
   }
   Fault fault() const { return fault_; }
@@ -191,7 +191,8 @@ class Parser {
     if (word == "e") return emit(Operation::number, std::numbers::e), true;
     for (const Function& function : functions) {
       if (function.name != word) continue;
-      if (!accept('(')) return fail("'" + std::string(word) + "' needs a '('; here is " + found());
+      if (!accept('('))
+        return fail(std::string("'") + std::string(word) + "' needs a '('; here is " + found());
       if (!sum(depth + 1)) return false;
       if (function.operation == Operation::atan2) {
         if (!accept(',')) return fail("atan2 needs two numbers, atan2(y, x); here is " + found());
@@ -201,7 +202,7 @@ class Parser {
       emit(function.operation);
       return true;
     }
-    return fail_at(start, "'" + shown(word) +
+    return fail_at(start, std::string("'") + shown(word) +
                               "' is unknown; there are t, pi, e, sqrt, exp, log, sin, cos, tan, "
                               "asin, acos, atan, atan2, sinh, cosh, tanh and abs");
   }

@@ -23,10 +23,12 @@ std::string with_unit(const std::string& text, const std::string& unit) {
   return unit.empty() ? text : text + " " + unit;
 }
 std::string range(const Enclosure& bound) {
-  return "[" + to_text(bound.lower()) + ", " + to_text(bound.upper()) + "]";
+  return std::string("[") + to_text(bound.lower()) + ", " + to_text(bound.upper()) + "]";
 }
 std::string orders(const ContinuityOrders& continuity) {
-  const auto order = [](int r) { return r < 0 ? std::string("jumps") : "C" + std::to_string(r); };
+  const auto order = [](int r) {
+    return r < 0 ? std::string("jumps") : std::string("C") + std::to_string(r);
+  };
   return "position " + order(continuity.position) + ", preimage " + order(continuity.preimage) +
          ", frame " + order(continuity.frame) + ", angular velocity " +
          order(continuity.angular_velocity);
@@ -114,17 +116,18 @@ void run(const InspectFlags& flags) {
 
 }  // namespace
 
-void add_inspect(CLI::App& program) {
+std::unique_ptr<Command> inspect_command(CLI::App& program) {
   auto flags = std::make_shared<InspectFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "inspect", "Tell what a path is (computed from its numbers) and what its document promises.");
-  command->footer(
-      example({"hodograph inspect gateway.json", "hodograph inspect gateway.json --json"}));
-  command->add_option("document", flags->document, "the path document ('-': standard input)")
-      ->type_name("FILE")
-      ->required();
-  command->add_flag("--json", flags->json, "as one line of JSON");
-  command->callback([flags] { run(*flags); });
+  auto command = std::make_unique<Command>(
+      program, "inspect",
+      "Tell what a path is, computed from its numbers, and what its document promises.");
+  command
+      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
+      .required();
+  command->flag("--json", flags->json, "as one line of JSON");
+  command->examples({"hodograph inspect gateway.json", "hodograph inspect gateway.json --json"});
+  command->run([flags] { run(*flags); });
+  return command;
 }
 
 }  // namespace hodograph::cli

@@ -152,7 +152,7 @@ Json json_of(const PathDocument& document, const PathFacts& facts) {
     set_text(json["units"], "length", document.length_unit);
     set_text(json["units"], "parameter", document.parameter_unit);
   }
-  for (const auto& [name, value] : json_of(facts).items()) json[name] = value;
+  json.update(json_of(facts));
   if (const Provenance& from = document.provenance; !from.empty()) {
     Json& provenance = json["provenance"] = Json::object();
     set_text(provenance, "program", from.program);

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "cli/fitting.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/frame/holonomy.hpp"
 #include "hodograph/io/file.hpp"
@@ -28,37 +29,26 @@ void distribute_roll(PathDocument& document) {
 
 }  // namespace
 
-void FitFlags::add_to(CLI::App& command, const std::string& tolerance_help) {
-  command.add_option("-t,--tolerance", tolerance, tolerance_help)
-      ->type_name("LENGTH")
-      ->group("Fitting");
+void FitFlags::add_to(Command& command, const std::string& tolerance_help) {
+  command.group("Fitting");
+  command.option("-t,--tolerance", tolerance, "LENGTH", tolerance_help);
   command
-      .add_option("--segments", segments,
-                  "a fixed number of uniform segments, instead of a tolerance")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber)
-      ->group("Fitting");
+      .option("--segments", segments, "N",
+              "a fixed number of uniform segments, instead of a tolerance")
+      .whole_number(1, FitOptions{}.most_segments);
   command
-      .add_option("--choice", choice,
-                  "the interpolants: order-ten (default), or order-six as PHODCOS has them")
-      ->type_name("CHOICE")
-      ->check(CLI::IsMember({"order-ten", "order-six"}))
-      ->group("Fitting");
+      .option("--choice", choice, "CHOICE",
+              "the interpolants: order-ten (default), or order-six as PHODCOS has them")
+      .one_of({"order-ten", "order-six"});
   command
-      .add_option("--knots", knots,
-                  "where knots go: adaptive (default), or uniform, the fewest that do")
-      ->type_name("WAY")
-      ->check(CLI::IsMember({"adaptive", "uniform"}))
-      ->group("Fitting");
-  command
-      .add_option("--most-segments", most_segments, "give up beyond this number (default 200000)")
-      ->type_name("N")
-      ->group("Fitting");
-  command
-      .add_flag("--distribute-roll", distribute_roll,
-                "closed paths: spread what roll is left over after one round, so that the frame "
-                "closes")
-      ->group("Fitting");
+      .option("--knots", knots, "WAY",
+              "where knots go: adaptive (default), or uniform, the fewest that do")
+      .one_of({"adaptive", "uniform"});
+  command.option("--most-segments", most_segments, "N",
+                 "give up beyond this number (default 200000)");
+  command.flag("--distribute-roll", distribute_roll,
+               "closed paths: spread the roll that is left over after one round, so that the frame "
+               "closes");
 }
 
 FitOptions FitFlags::options() const {
@@ -72,12 +62,11 @@ FitOptions FitFlags::options() const {
   return options;
 }
 
-void OutputFlags::add_to(CLI::App& command, const std::string& document_help,
+void OutputFlags::add_to(Command& command, const std::string& document_help,
                          const std::string& report_help) {
-  command.add_option("-o,--out,--output", document, document_help)
-      ->type_name("FILE")
-      ->group("Files");
-  command.add_option("--report", report, report_help)->type_name("FILE")->group("Files");
+  command.group("Files");
+  command.option("-o,--out", document, "FILE", document_help);
+  command.option("--report", report, "FILE", report_help);
 }
 
 void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
@@ -111,12 +100,6 @@ void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlag
   } else {
     print(text);
   }
-}
-
-std::string example(const std::vector<std::string>& lines) {
-  std::string text = lines.size() == 1 ? "Example:" : "Examples:";
-  for (const std::string& line : lines) text += "\n  " + line;
-  return text;
 }
 
 }  // namespace hodograph::cli

@@ -2,11 +2,11 @@
 // The options that subcommands share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-#include "cli/fitting.hpp"
+#include "cli/command_line.hpp"
+#include "cli/source.hpp"
 #include "hodograph/construction/fit.hpp"
 
 namespace hodograph::cli {
@@ -19,7 +19,7 @@ struct FitFlags {
   std::string choice = "order-ten", knots = "adaptive";
   bool closed = false, distribute_roll = false;
 
-  void add_to(CLI::App& command, const std::string& tolerance_help);
+  void add_to(Command& command, const std::string& tolerance_help);
   /// Faults as Error: outside_domain where neither a tolerance nor segments make sense.
   FitOptions options() const;
 };
@@ -28,7 +28,7 @@ struct FitFlags {
 struct OutputFlags {
   std::string document, report;
 
-  void add_to(CLI::App& command, const std::string& document_help, const std::string& report_help);
+  void add_to(Command& command, const std::string& document_help, const std::string& report_help);
 };
 
 /// Fits a source, shows progress on a terminal, writes the document and the report, and ends with
@@ -36,8 +36,5 @@ struct OutputFlags {
 /// document itself goes to standard output). Throws Error.
 void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
                    const std::string& verb);
-
-/// The last lines of a help page.
-std::string example(const std::vector<std::string>& lines);
 
 }  // namespace hodograph::cli

@@ -56,56 +56,44 @@ void run(OrbitFlags flags, bool own_ratio) {
 
 }  // namespace
 
-void add_orbit(CLI::App& program) {
+std::unique_ptr<Command> orbit_command(CLI::App& program) {
   auto flags = std::make_shared<OrbitFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "orbit", "Fit a periodic orbit of the Earth-Moon system and write the path and a report.");
-  command->footer(example({"hodograph orbit",
-                           "hodograph orbit --frame inertial --revolutions 4 -t 1e-6 -o four.json",
-                           "hodograph orbit --initial 1.0273,-0.18552,-0.1145 --units km"}));
-  auto* const orbit =
-      command
-          ->add_option(
-              "--orbit", flags->orbit,
-              "gateway (default), the near-rectilinear halo orbit of the PHODCOS paper, or "
-              "synodic-9-2, the one in 9:2 resonance with the synodic month")
-          ->type_name("NAME")
-          ->check(CLI::IsMember({"gateway", "synodic-9-2"}))
-          ->group("Orbit");
-  auto* const initial =
-      command
-          ->add_option("--initial", flags->initial,
-                       "the halo orbit nearest to x,z,vy[,period]: a start on y = 0, perpendicular "
-                       "to it, in LU and TU; z is kept, the others are corrected")
-          ->type_name("X,Z,VY")
-          ->delimiter(',')
-          ->expected(3, 4)
-          ->excludes(orbit)
-          ->group("Orbit");
-  auto* const ratio =
-      command->add_option("--mu", flags->mass_ratio, "mass ratio of the primaries, with --initial")
-          ->type_name("MU")
-          ->needs(initial)
-          ->group("Orbit");
+  auto command = std::make_unique<Command>(
+      program, "orbit",
+      "Fit a periodic orbit of the Earth-Moon system; write the path and a report.");
+  command->group("Orbit");
+  Option orbit = command->option("--orbit", flags->orbit, "NAME",
+                                 "gateway (default), the near-rectilinear halo orbit of the "
+                                 "PHODCOS paper, or synodic-9-2, the "
+                                 "one in 9:2 resonance with the synodic month");
+  orbit.one_of({"gateway", "synodic-9-2"});
+  Option initial = command->option(
+      "--initial", flags->initial, "X,Z,VY[,T]",
+      "the halo orbit nearest to this start on y = 0, perpendicular to it, in LU and TU, with a "
+      "guess of its period; z is kept, the others are corrected");
+  initial.list(3, 4).excludes(orbit);
+  Option ratio = command->option("--mu", flags->mass_ratio, "MU",
+                                 "mass ratio of the primaries, with --initial");
+  ratio.needs(initial);
   command
-      ->add_option("--frame", flags->frame, "rotating (default), or inertial, centred at the Earth")
-      ->type_name("FRAME")
-      ->check(CLI::IsMember({"rotating", "inertial"}))
-      ->group("Orbit");
-  command->add_option("--revolutions", flags->revolutions, "how often round (default 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000))
-      ->group("Orbit");
+      ->option("--frame", flags->frame, "FRAME",
+               "rotating (default), or inertial, centred at the Earth")
+      .one_of({"rotating", "inertial"});
+  constexpr std::size_t most_revolutions = 1000;
+  command->option("--revolutions", flags->revolutions, "N", "how often round (default 1)")
+      .whole_number(1, most_revolutions);
   command
-      ->add_option("--units", flags->units,
-                   "of length: lu (default), the distance of the primaries, or km")
-      ->type_name("UNIT")
-      ->check(CLI::IsMember({"lu", "km"}))
-      ->group("Orbit");
+      ->option("--units", flags->units, "UNIT",
+               "of length: lu (default), the distance of the primaries, or km")
+      .one_of({"lu", "km"});
   flags->fit.add_to(*command, "largest position error, in the units (default 1e-9 LU)");
   flags->output.add_to(*command, "the path document (default gateway.json; '-': standard output)",
                        "the HTML report (default: named like the document; 'none': no report)");
-  command->callback([flags, ratio] { run(*flags, ratio->count() > 0); });
+  command->examples({"hodograph orbit",
+                     "hodograph orbit --frame inertial --revolutions 4 -t 1e-6 -o four.json",
+                     "hodograph orbit --initial 1.0273,-0.18552,-0.1145 --units km"});
+  command->run([flags, ratio] { run(*flags, ratio.given()); });
+  return command;
 }
 
 }  // namespace hodograph::cli

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hodograph/frame/continuity.hpp"
+#include "hodograph/path/bounds.hpp"
 #include "hodograph/path/continuity.hpp"
 
 namespace hodograph::cli {
@@ -58,86 +59,21 @@ void continuity_of(PathFacts& facts, const P& path) {
   }
 }
 
-template <class A>
-struct EnclosedAlgebra;
-template <class S>
-struct EnclosedAlgebra<Complex<S>> {
-  using type = Complex<Enclosure>;
-};
-template <class S>
-struct EnclosedAlgebra<Quaternion<S>> {
-  using type = Quaternion<Enclosure>;
-};
-
-Enclosure norm_of(const Enclosure& rate) { return abs(rate); }
-Enclosure norm_of(const Vector3<Enclosure>& rate) {
-  return sqrt(square(rate.y) + square(rate.z));  // without the part along the tangent
-}
-
-template <class V, std::size_t n>
-Enclosure hull_of(const BernsteinPolynomial<V, n>& f) {
-  Enclosure hull = f[0];
-  for (std::size_t i = 1; i <= n; ++i) hull = Enclosure::hull(hull, f[i]);
-  return hull;
-}
-
-/// The bounds of one segment, cut into equal parts: the polynomials lie between the smallest and
-/// the largest of their control points, computed with outward rounding.
-template <PreimageAlgebra A, std::size_t n>
-void include_bounds(PathFacts& facts, const PhCurve<A, n>& curve, std::size_t parts, bool first) {
-  using E = typename EnclosedAlgebra<A>::type;
-  const auto preimage = curve.preimage().mapped([](const A& a) {
-    E e{};
-    for (std::size_t i = 0; i < A::dimension; ++i) e[i] = Enclosure(a[i]);
-    return e;
-  });
-  const Enclosure step(curve.parameter_step());
-  const auto speed_of = [](const BernsteinPolynomial<E, n>& part) {
-    return symmetric_square(part, [](const E& a, const E& b) { return speed_form(a, b); });
-  };
-  const Enclosure length = step * speed_of(preimage).integral();
-  facts.arc_length = first ? length : facts.arc_length + length;
-  for (std::size_t k = 0; k < parts; ++k) {
-    const auto end = [parts](std::size_t i) {
-      return Enclosure(static_cast<double>(i)) / Enclosure(static_cast<double>(parts));
-    };
-    const auto part = parts == 1 ? preimage : preimage.restricted(end(k), end(k + 1));
-    const Enclosure hull = hull_of(speed_of(part));
-    const Enclosure speed(std::max(0.0, hull.lower()), std::max(0.0, hull.upper()));
-    if (first && k == 0) {
-      facts.smallest_speed = facts.largest_speed = speed;
-    } else {
-      facts.smallest_speed = Enclosure(std::min(facts.smallest_speed.lower(), speed.lower()),
-                                       std::min(facts.smallest_speed.upper(), speed.upper()));
-      facts.largest_speed = Enclosure(std::max(facts.largest_speed.lower(), speed.lower()),
-                                      std::max(facts.largest_speed.upper(), speed.upper()));
-    }
-    if constexpr (n > 0) {
-      // κ = 2 |vec(A* A')|⊥ / σ², A' per unit ξ.
-      const auto rate = product(part, part.derivative(),
-                                [](const E& a, const E& b) { return body_rate_form(a, b); });
-      Enclosure largest(0.0);
-      for (std::size_t i = 0; i <= 2 * n - 1; ++i) {
-        const Enclosure size = norm_of(rate[i]);
-        if (!(size.upper() <= largest.upper())) largest = size;
-      }
-      const Enclosure width = step / Enclosure(static_cast<double>(parts));
-      const Enclosure bound = Enclosure(2.0) * Enclosure(largest.magnitude()) /
-                              (width * Enclosure(speed.lower()) * Enclosure(speed.lower()));
-      facts.curvature_bound = std::max(facts.curvature_bound, bound.upper());
-    }
-  }
-}
+/// Promised bounds are refined to about this relative width, 2^-20: far below what a drawing or a
+/// limit needs, far above rounding.
+constexpr double promised_width = 0x1p-20;
 
 template <class P>
 void bounds_of(PathFacts& facts, const P& path) {
-  constexpr std::size_t work = 4000, most_parts = 16;
-  const std::size_t parts = std::clamp<std::size_t>(work / path.segment_count(), 1, most_parts);
-  facts.curvature_bound = 0.0;
-  for (std::size_t k = 0; k < path.segment_count(); ++k) {
-    include_bounds(facts, path.segment(k), parts, k == 0);
-    facts.hodograph_identity =
-        std::max(facts.hodograph_identity, hodograph_identity(path.segment(k)));
+  const RangeGoal goal{promised_width};
+  facts.arc_length = arc_length_enclosure(path);
+  const Extremes speed = speed_extremes(path, goal);
+  facts.smallest_speed = speed.minimum;
+  facts.largest_speed = speed.maximum;
+  const Extremes curvature = curvature_extremes(path, goal);
+  facts.curvature_bound = std::max(-curvature.minimum.lower(), curvature.maximum.upper());
+  for (const auto& curve : path.segments()) {
+    facts.hodograph_identity = std::max(facts.hodograph_identity, hodograph_identity(curve));
   }
 }
 

@@ -58,30 +58,28 @@ void run(const PlotFlags& flags) {
 
 }  // namespace
 
-void add_plot(CLI::App& program) {
+std::unique_ptr<Command> plot_command(CLI::App& program) {
   auto flags = std::make_shared<PlotFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "plot", "Draw a path with its frames, or its quantities along xi, as SVG.");
-  command->footer(example({"hodograph plot gateway.json -o gateway.svg",
-                           "hodograph plot gateway.json --view quantities -o rates.svg"}));
-  command->add_option("document", flags->document, "the path document ('-': standard input)")
-      ->type_name("FILE")
-      ->required();
+  auto command = std::make_unique<Command>(
+      program, "plot", "Draw a path with its frames, or its quantities along xi, as SVG.");
   command
-      ->add_option("--view", flags->view,
-                   "path (default): all projections; xy, xz or yz: one of them; quantities: speed, "
-                   "curvature, torsion and angular velocity; all")
-      ->type_name("VIEW")
-      ->check(CLI::IsMember({"path", "xy", "xz", "yz", "quantities", "all"}))
-      ->group("Picture");
-  command->add_option("--frames", flags->frames, "how many frames are drawn (default 24)")
-      ->type_name("N")
-      ->check(CLI::Range(0, 1000))
-      ->group("Picture");
-  command->add_option("-o,--out,--output", flags->output, "the picture (default: standard output)")
-      ->type_name("FILE")
-      ->group("Files");
-  command->callback([flags] { run(*flags); });
+      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
+      .required();
+  command->group("Picture");
+  command
+      ->option("--view", flags->view, "VIEW",
+               "path (default): all projections; xy, xz or yz: one of them; quantities: speed, "
+               "curvature, torsion and angular velocity; all")
+      .one_of({"path", "xy", "xz", "yz", "quantities", "all"});
+  constexpr std::size_t most_frames = 1000;
+  command->option("--frames", flags->frames, "N", "how many frames are drawn (default 24)")
+      .whole_number(0, most_frames);
+  command->group("Files");
+  command->option("-o,--out", flags->output, "FILE", "the picture (default: standard output)");
+  command->examples({"hodograph plot gateway.json -o gateway.svg",
+                     "hodograph plot gateway.json --view quantities -o rates.svg"});
+  command->run([flags] { run(*flags); });
+  return command;
 }
 
 }  // namespace hodograph::cli

@@ -10,6 +10,7 @@
 #include "cli/options.hpp"
 #include "cli/point_state.hpp"
 #include "cli/sample_plan.hpp"
+#include "hodograph/foundation/fault.hpp"
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
@@ -49,7 +50,7 @@ void append_none(std::vector<double>& row, std::size_t count) {
 std::vector<std::string> derivative_titles(std::size_t dimension) {
   std::vector<std::string> titles;
   for (std::size_t r = 1; r <= 4; ++r) {
-    for (const auto& title : components("d" + std::to_string(r), dimension))
+    for (const auto& title : components(std::string("d") + std::to_string(r), dimension))
       titles.push_back(title);
   }
   return titles;
@@ -85,7 +86,8 @@ const std::array quantities = {
              [](std::size_t dimension) {
                std::vector<std::string> titles;
                for (std::size_t axis = 1; axis <= dimension; ++axis) {
-                 for (const auto& title : components("e" + std::to_string(axis), dimension)) {
+                 for (const auto& title :
+                      components(std::string("e") + std::to_string(axis), dimension)) {
                    titles.push_back(title);
                  }
                }
@@ -219,60 +221,61 @@ void run(const SampleFlags& flags) {
 
 }  // namespace
 
-void add_sample(CLI::App& program) {
+std::unique_ptr<Command> sample_command(CLI::App& program) {
   auto flags = std::make_shared<SampleFlags>();
-  CLI::App* const command = program.add_subcommand(
-      "sample", "Write points of a path, with its frame if wanted, as CSV or JSON.");
-  command->footer(example({"hodograph sample gateway.json --count 1000 -o points.csv",
-                           "hodograph sample gateway.json --step 0.01 --with frame,curvature",
-                           "hodograph sample gateway.json --xi 0,0.5,1.25 --format json"}));
-  command->add_option("document", flags->document, "the path document ('-': standard input)")
-      ->type_name("FILE")
-      ->required();
-  auto* const where = command->add_option_group("Where", "Where to sample (one of)");
-  where
-      ->add_option("-n,--count", flags->count,
-                   "N points, evenly spaced in arc length (default 101)")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  where->add_option("--count-xi", flags->count_in_xi, "N points, evenly spaced in xi")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  where
-      ->add_option("--per-segment", flags->per_segment,
-                   "N intervals in every segment, knots included")
-      ->type_name("N")
-      ->check(CLI::PositiveNumber);
-  where->add_option("--step", flags->step, "a point every S of arc length, and the end")
-      ->type_name("S");
-  where
-      ->add_option("--chord", flags->chord,
-                   "as many points as keep the polyline through them within E of the path")
-      ->type_name("E");
-  where->add_option("--xi", flags->xi, "at these parameters")->type_name("XI,...")->delimiter(',');
-  where->add_option("--arc-length", flags->arc_length, "at these arc lengths")
-      ->type_name("S,...")
-      ->delimiter(',');
-  where->require_option(0, 1);
+  auto command = std::make_unique<Command>(
+      program, "sample", "Write points of a path, with its frame if wanted, as CSV or JSON.");
+  command
+      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
+      .required();
+  command->group("Where (one of)");
+  std::vector<Option> where;
+  where.push_back(command->option("-n,--count", flags->count, "N",
+                                  "N points, evenly spaced in arc length (default 101)"));
+  where.push_back(
+      command->option("--count-xi", flags->count_in_xi, "N", "N points, evenly spaced in xi"));
+  where.push_back(command->option("--per-segment", flags->per_segment, "N",
+                                  "N intervals in every segment, knots included"));
+  for (Option& count : where) count.whole_number(1, maximum_count);
+  where.push_back(
+      command->option("--step", flags->step, "S", "a point every S of arc length, and the end"));
+  where.push_back(
+      command->option("--chord", flags->chord, "E",
+                      "as many points as keep the polyline through them within E of the path"));
+  where.push_back(command->option("--xi", flags->xi, "XI,...", "at these parameters"));
+  where.push_back(
+      command->option("--arc-length", flags->arc_length, "S,...", "at these arc lengths"));
+  constexpr int most_items = 1 << 20;
+  for (std::size_t i = where.size() - 2; i < where.size(); ++i) where[i].list(1, most_items);
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) where[i].excludes(where[j]);
+  }
+  command->group("What");
   std::vector<std::string> names;
   std::string listed;
   for (const Quantity& quantity : quantities) {
     names.emplace_back(quantity.name);
     listed += std::string(listed.empty() ? "" : ", ") + quantity.name;
   }
-  command->add_option("--with", flags->with, "more columns: " + listed)
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names))
-      ->group("What");
-  command->add_option("--format", flags->format, "csv (default) or json")
-      ->type_name("FORMAT")
-      ->check(CLI::IsMember({"csv", "json"}))
-      ->group("What");
-  command->add_option("-o,--out,--output", flags->output, "the table (default: standard output)")
-      ->type_name("FILE")
-      ->group("Files");
-  command->callback([flags] { run(*flags); });
+  command->option("--with", flags->with, "NAME,...", "more columns: " + listed)
+      .list(1, static_cast<int>(names.size()))
+      .one_of(names);
+  command->option("--format", flags->format, "FORMAT", "csv (default) or json")
+      .one_of({"csv", "json"});
+  command->group("Files");
+  command->option("-o,--out", flags->output, "FILE", "the table (default: standard output)");
+  command->examples({"hodograph sample gateway.json --count 1000 -o points.csv",
+                     "hodograph sample gateway.json --step 0.01 --with frame,curvature",
+                     "hodograph sample gateway.json --xi 0,0.5,1.25 --format json"});
+  command->run([flags, where] {
+    if (where[3].given() && !(flags->step > 0.0)) {
+      throw Error(Fault{FaultCode::outside_domain,
+                        "the step is " + to_text(flags->step) + "; it should be positive",
+                        std::nullopt, "step", flags->step, 0.0});
+    }
+    run(*flags);
+  });
+  return command;
 }
 
 }  // namespace hodograph::cli

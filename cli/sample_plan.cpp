@@ -7,6 +7,8 @@
 namespace hodograph::cli {
 namespace {
 
+static_assert(maximum_count == maximum_sample_count);
+
 /// The fault of the first value outside [low, high], if there is one.
 std::optional<Fault> outside(const std::vector<double>& values, double low, double high,
                              const char* quantity) {

@@ -14,6 +14,9 @@ namespace hodograph::cli {
 /// The ξ at which the path has come the arc length s. Throws Error (outside_domain).
 double parameter_at(const AnyPath& path, double arc_length);
 
+/// More samples than this are refused (as in path/sampling.hpp, which is heavy to include).
+inline constexpr std::size_t maximum_count = std::size_t{1} << 26U;
+
 /// Exactly one member is set.
 struct SamplePlan {
   std::optional<std::size_t> count{};                     ///< evenly spaced in arc length

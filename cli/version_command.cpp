@@ -22,11 +22,12 @@ std::string version_text() {
 
 }  // namespace
 
-void add_version(CLI::App& program) {
-  CLI::App* const command =
-      program.add_subcommand("version", "Print the version and the components that are built in.");
-  command->footer("Example:\n  hodograph version");
-  command->callback([] { print(version_text()); });
+std::unique_ptr<Command> version_command(CLI::App& program) {
+  auto command = std::make_unique<Command>(
+      program, "version", "Print the version and the components that are built in.");
+  command->examples({"hodograph version"});
+  command->run([] { print(version_text()); });
+  return command;
 }
 
 }  // namespace hodograph::cli

@@ -19,6 +19,7 @@ Answer answer_evaluate(Members& request) {
     plan.arc_length = request.numbers("arc_length");
   }
   request.require_all_known();
+  request.require_at_most("xi", (plan.xi ? *plan.xi : *plan.arc_length).size(), most_places);
   Answer answer;
   Json& points = answer.result["points"] = Json::array();
   for (const double xi : sampled_parameters(document.path, plan).value()) {
@@ -43,7 +44,10 @@ Answer answer_sample(Members& request) {
         "\"chord\"");
   }
   request.require_all_known();
+  request.require_at_most("count", plan.count.value_or(0), most_points);
+  request.require_at_most("count_in_xi", plan.count_in_xi.value_or(0), most_points);
   const std::vector<double> parameters = sampled_parameters(document.path, plan).value();
+  request.require_at_most("request", parameters.size(), most_points);
   std::vector<double> lengths;
   Json positions = Json::array();
   std::vector<double> point(document.path.dimension());

@@ -209,19 +209,17 @@ std::string fault_line(const Json& id, const std::string& kind, const Fault& fau
 
 Answer answered(const Json& request, std::string& kind) {
   Members members(request, "");
-  members.text("id", "");
   kind = members.text("request");
   for (const RequestKind& known : request_kinds()) {
     if (known.name == kind) {
-      Answer answer = known.answer(members);
-      return answer;
+      return known.answer(members);
     }
   }
   std::string names;
   for (const RequestKind& known : request_kinds()) {
     names += (names.empty() ? "" : ", ") + std::string(known.name);
   }
-  members.refuse("request", "there is no request of this name; there are " + names);
+  members.refuse("request", in_quotes(kind) + " is no request; there are " + names);
 }
 
 }  // namespace

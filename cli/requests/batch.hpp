@@ -27,8 +27,9 @@ struct RequestKind {
 };
 std::span<const RequestKind> request_kinds();
 
-/// The longest line that is read: a document of some 60000 segments of degree 17.
-inline constexpr std::size_t longest_request = std::size_t{1} << 28U;
+/// The longest line that is read: a document of some 60000 segments of degree 17. Larger paths are
+/// given by file.
+inline constexpr std::size_t longest_request = std::size_t{1} << 26U;
 /// The deepest nesting of brackets in a request; a document needs 6.
 inline constexpr std::size_t deepest_request = 32;
 

@@ -95,6 +95,7 @@ Answer hermite(Members& request) {
   }
   const AnyPath path(SpatialPath<2 * m>::create({0.0, step}, {curve}, false).value());
   if (!u.empty()) {
+    request.require_at_most("evaluate", u.size(), most_places);
     result["samples"] = Json::array();
     for (std::size_t i = 0; i < u.size(); ++i) {
       if (!(u[i] >= 0.0 && u[i] <= 1.0)) {
@@ -186,6 +187,8 @@ Source fit_source(Members& request) {
     source.inertial = orbit.word("frame", {"rotating", "inertial"}, "rotating") == "inertial";
     source.kilometres = orbit.word("units", {"lu", "km"}, "lu") == "km";
     source.revolutions = orbit.count("revolutions", 1);
+    constexpr std::size_t most_revolutions = 1000;
+    orbit.require_at_most("revolutions", source.revolutions, most_revolutions);
     orbit.require_all_known();
     return source;
   }
@@ -218,6 +221,8 @@ Answer answer_fit(Members& request) {
   options.tolerance = request.number("tolerance", 0.0);
   options.segments = request.count("segments", 0);
   options.most_segments = request.count("most_segments", options.most_segments);
+  request.require_at_most("segments", options.segments, most_fit_segments);
+  request.require_at_most("most_segments", options.most_segments, most_fit_segments);
   options.choice = choice_of(request);
   options.knots = request.word("knots", {"adaptive", "uniform"}, "adaptive") == "adaptive"
                       ? FitKnots::adaptive

@@ -27,16 +27,18 @@ std::string type_of(const Json& value) {
   }
 }
 
-std::string shown(std::string_view name) {
-  constexpr std::size_t longest = 60;
-  return "'" + on_one_line(name.substr(0, longest)) + (name.size() > longest ? "..." : "") + "'";
-}
-
 std::string item(const std::string& place, std::size_t i) {
   return place + "/" + std::to_string(i);
 }
 
 }  // namespace
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string out = "'";
+  out += on_one_line(text.substr(0, longest));
+  return out + (text.size() > longest ? "...'" : "'");
+}
 
 Members::Members(const Json& json, std::string pointer)
     : json_(&json), pointer_(std::move(pointer)) {
@@ -51,6 +53,12 @@ void Members::refuse_at(const std::string& place, const std::string& what) const
 
 void Members::refuse(std::string_view name, const std::string& what) const {
   refuse_at(pointer_ + "/" + std::string(name), what);
+}
+
+void Members::require_at_most(std::string_view name, std::size_t count, std::size_t limit) const {
+  if (count <= limit) return;
+  refuse(name, std::to_string(count) + " are too many for one request; at most " +
+                   std::to_string(limit) + " are answered");
 }
 
 const Json* Members::find(std::string_view name) {
@@ -69,9 +77,7 @@ const Json& Members::need(std::string_view name) {
 
 double Members::number_of(const Json& value, const std::string& place) const {
   if (!value.is_number()) refuse_at(place, "a number is needed; here is " + type_of(value));
-  const auto number = value.get<double>();
-  // Read as an integer, "-0" lost its sign; it has no other spelling with that value.
-  return number;
+  return value.get<double>();
 }
 
 double Members::number(std::string_view name) {
@@ -126,7 +132,7 @@ std::string Members::word(std::string_view name, const std::vector<std::string>&
     for (std::size_t i = 0; i < words.size(); ++i) {
       list += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
     }
-    refuse(name, shown(value) + " is unknown; it is " + list);
+    refuse(name, in_quotes(value) + " is unknown; it is " + list);
   }
   return value;
 }
@@ -134,10 +140,6 @@ std::string Members::word(std::string_view name, const std::vector<std::string>&
 std::vector<double> Members::numbers_of(const Json& value, const std::string& place) const {
   if (!value.is_array()) {
     refuse_at(place, "a list of numbers is needed; here is " + type_of(value));
-  }
-  if (value.size() > longest_list) {
-    refuse_at(place, std::to_string(value.size()) + " items; at most " +
-                         std::to_string(longest_list) + " are read");
   }
   std::vector<double> result;
   result.reserve(value.size());
@@ -232,7 +234,7 @@ PathDocument Members::document(std::string_view document, std::string_view file)
 void Members::require_all_known() const {
   for (const auto& [key, value] : json_->items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
-    refuse_at(pointer_, "the member " + shown(key) + " is unknown");
+    refuse_at(pointer_, "the member " + in_quotes(key) + " is unknown");
   }
 }
 

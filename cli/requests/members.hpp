@@ -15,8 +15,14 @@
 
 namespace hodograph::cli {
 
-/// The most items of one list in a request.
-inline constexpr std::size_t longest_list = 20'000'000;
+/// What one request may ask for, so that its answer stays below some hundred megabytes: places to
+/// evaluate at, points of a sample, segments of a fit.
+inline constexpr std::size_t most_places = 20'000;
+inline constexpr std::size_t most_points = 1'000'000;
+inline constexpr std::size_t most_fit_segments = 500'000;
+
+/// The text in single quotes, on one line, cut to a readable length.
+std::string in_quotes(std::string_view text);
 
 class Members {
  public:
@@ -50,6 +56,8 @@ class Members {
   /// The path document in `document`, or in the file that `file` names (with other names for both).
   PathDocument document(std::string_view document = "document", std::string_view file = "file");
 
+  /// Refuses a number of items beyond a limit.
+  void require_at_most(std::string_view name, std::size_t count, std::size_t limit) const;
   /// Refuses a member that was never asked for: a misspelt option is not ignored.
   void require_all_known() const;
 
