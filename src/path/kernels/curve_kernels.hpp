@@ -280,13 +280,13 @@ void points(const SegmentData& data, const double* t, const double* guess, std::
 }
 
 template <std::size_t dimension, std::size_t n>
-void parameters(const SegmentData& data, double margin_, const double* t, const double* guess,
+void parameters(const SegmentData& data, double slack, const double* t, const double* guess,
                 std::size_t count, double* out, unsigned char* settled) {
   constexpr double cells =
       static_cast<double>(std::int64_t{1} << (std::numeric_limits<double>::digits / 2 + 4));
   // Adding and taking away 2^52 rounds to a whole number.
   constexpr double whole = static_cast<double>(std::int64_t{1} << 52);
-  const P width(1.0 / cells), margin(margin_);
+  const P width(1.0 / cells), margin(slack);
   for (std::size_t first = 0; first < count; first += lanes) {
     const std::size_t here = count - first < lanes ? count - first : lanes;
     const P target = load_some(t + first, here);
