@@ -2,8 +2,10 @@
 #include "cli/fitting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -21,6 +23,13 @@ std::string method_text(const FitOptions& options) {
   if (options.segments > 0) return "C4 Hermite, a given number of uniform segments";
   return options.knots == FitKnots::adaptive ? "C4 Hermite, adaptive knots"
                                              : "C4 Hermite, uniform knots";
+}
+
+/// A number to three digits, for people.
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
 }
 
 /// The distance between path and source along ξ, for the picture.
@@ -125,7 +134,7 @@ ReportData report_of(const PathDocument& document, const PathFacts& facts,
   if (facts.holonomy) {
     data.more.emplace_back(
         "Frame after one round",
-        "rolled by " + to_text(facts.holonomy->roll) + " rad" +
+        "rolled by " + rounded(facts.holonomy->roll) + " rad" +
             (facts.antiperiodic ? "; the preimage returns to its negative" : ""));
   }
   data.dimension = document.path.dimension();

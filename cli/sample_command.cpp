@@ -28,6 +28,9 @@ struct SampleFlags {
   std::vector<std::string> with;
 };
 
+constexpr std::array derivative_names = {"d1", "d2", "d3", "d4"};
+constexpr std::array axis_names = {"e1", "e2", "e3"};
+
 /// A group of columns that --with adds.
 struct Quantity {
   const char* name;
@@ -50,7 +53,7 @@ void append_none(std::vector<double>& row, std::size_t count) {
 std::vector<std::string> derivative_titles(std::size_t dimension) {
   std::vector<std::string> titles;
   for (std::size_t r = 1; r <= 4; ++r) {
-    for (const auto& title : components(std::string("d") + std::to_string(r), dimension))
+    for (const auto& title : components(derivative_names[r - 1], dimension))
       titles.push_back(title);
   }
   return titles;
@@ -86,8 +89,7 @@ const std::array quantities = {
              [](std::size_t dimension) {
                std::vector<std::string> titles;
                for (std::size_t axis = 1; axis <= dimension; ++axis) {
-                 for (const auto& title :
-                      components(std::string("e") + std::to_string(axis), dimension)) {
+                 for (const auto& title : components(axis_names[axis - 1], dimension)) {
                    titles.push_back(title);
                  }
                }
