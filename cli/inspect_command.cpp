@@ -39,7 +39,8 @@ std::string text_of(const Rows& rows) {
   for (const auto& [name, text] : rows) width = std::max(width, name.size());
   std::string out;
   for (const auto& [name, text] : rows) {
-    out += text.empty() ? name : name + std::string(width - name.size() + 2, ' ') + text;
+    out += name;
+    if (!text.empty()) out.append(width - name.size() + 2, ' ').append(text);
     out += '\n';
   }
   return out;
