@@ -3,6 +3,7 @@
 // real numbers, points, complex numbers, quaternions, or any of these over enclosures.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -56,7 +57,7 @@ class BernsteinPolynomial {
   /// averages of consecutive coefficients with common weights.
   template <std::size_t K>
   constexpr std::array<V, K + 1> jet(const Scalar& u) const {
-    constexpr std::size_t steps = K < n ? K : n;
+    constexpr std::size_t steps = std::min(K, n);
     const auto weights = bernstein_values<n - steps>(u);
     std::array<V, steps + 1> point;
     for (std::size_t i = 0; i <= steps; ++i) point[i] = weighted(weights, i);
