@@ -147,16 +147,23 @@ class Parser {
     }
     return true;
   }
-  /// The exponent just compiled, if it is a literal whole number.
+  /// The exponent just compiled, if it is a whole number made of whole numbers, signs and powers.
   std::optional<int> whole_number(std::size_t first) const {
-    const std::size_t count = program_.size() - first;
-    const bool negative = count == 2 && program_.back().operation == Operation::negate;
-    if (program_[first].operation != Operation::number || !(count == 1 || negative)) {
-      return std::nullopt;
+    if (program_[first].operation != Operation::number) return std::nullopt;
+    double value = program_[first].number;
+    for (std::size_t i = first + 1; i < program_.size(); ++i) {
+      const Instruction& step = program_[i];
+      if (step.operation == Operation::negate) {
+        value = -value;
+      } else if (step.operation == Operation::whole_power && step.exponent >= 0) {
+        value = std::pow(value, step.exponent);  // exact below the limit, for whole numbers
+      } else {
+        return std::nullopt;
+      }
+      if (value != std::floor(value)) return std::nullopt;
     }
-    const double value = program_[first].number;
-    if (!(value <= largest_exponent) || value != std::floor(value)) return std::nullopt;
-    return negative ? -static_cast<int>(value) : static_cast<int>(value);
+    if (!(std::abs(value) <= largest_exponent) || value != std::floor(value)) return std::nullopt;
+    return static_cast<int>(value);
   }
   bool primary(int depth) {
     skip_blanks();

@@ -154,7 +154,7 @@ Result<SourceCurve> orbit_curve(const OrbitSource& source) {
     return jet;
   };
   result.end = curve->end();
-  result.closed = !source.inertial && source.revolutions == 1;
+  result.closed = !source.inertial;
   result.length_unit = source.kilometres ? "km" : "LU";
   result.parameter_unit = "TU";
   const std::string name = source.name == "gateway"       ? "Lunar Gateway NRHO"

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "support/compare.hpp"
+
 namespace hodograph::test {
 namespace {
 
@@ -129,6 +131,23 @@ TEST(ProgramFormula, MistakesAreNamedByTheirCharacter) {
   refused(std::string(5000, '('), "levels");
   refused(std::string(5000, '-') + "t, t, t", "levels");
   refused("t\n;rm -rf, t, t", "character 3");
+}
+
+TEST(ProgramFormula, OperatorsBindAsInMathematics) {
+  const Program program;
+  const Outcome fit =
+      program.run({"fit", "--formula", "-t^2 + 2^-1 + 3*t, 8/4/2*t - 1 - 1, t^2^3 + e*t - pi", "-t",
+                   "1e-6", "-o", "f.json"});
+  ASSERT_EQ(fit.code, 0) << fit.err;
+  const Outcome samples = program.run({"sample", "f.json", "--xi", "0,1", "--format", "json"});
+  const Json rows = Json::parse(samples.out)["rows"];
+  const double e = std::exp(1.0), pi = std::acos(-1.0);
+  const double expected[2][3] = {{0.5, -2.0, -pi}, {2.5, -1.0, 1.0 + e - pi}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {  // data at knots are met to rounding
+      EXPECT_CLOSE(rows[i][j + 2].get<double>(), expected[i][j], 64, 4.0);
+    }
+  }
 }
 
 TEST(ProgramFit, FormulasAreCertifiedAndChecked) {
