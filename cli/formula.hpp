@@ -91,6 +91,8 @@ S Formula::run(const Program& program, std::size_t first, std::size_t last, cons
   using std::abs, std::acos, std::asin, std::atan, std::atan2, std::cos, std::cosh, std::exp;
   using std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan, std::tanh;
   std::vector<S> stack;
+  constexpr std::size_t usual_depth = 8;
+  stack.reserve(usual_depth);
   const auto take = [&stack] {
     S top = std::move(stack.back());
     stack.pop_back();
