@@ -7,6 +7,7 @@
 // the largest. Faults of all: those of Path::create (not_finite where the result overflows).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "hodograph/foundation/result.hpp"
@@ -39,7 +40,7 @@ Result<Path<A, n>> subpath(const Path<A, n>& path, const typename A::Scalar& xi_
 /// over those at the join), zero_speed (no tangent at the join), not_increasing (knots so far from
 /// zero that b's steps vanish in them).
 template <PreimageAlgebra A, std::size_t m, std::size_t n>
-Result<Path<A, (m < n ? n : m)>> joined(const Path<A, m>& a, const Path<A, n>& b);
+Result<Path<A, std::max(m, n)>> joined(const Path<A, m>& a, const Path<A, n>& b);
 
 /// The same path declared closed (or open).
 /// Faults: not_continuous (index 0) where the end does not meet the start.

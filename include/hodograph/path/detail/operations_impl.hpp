@@ -2,6 +2,7 @@
 // The definitions of path/operations.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -153,9 +154,9 @@ Result<Path<A, n>> subpath(const Path<A, n>& path, const typename A::Scalar& xi_
 }
 
 template <PreimageAlgebra A, std::size_t m, std::size_t n>
-Result<Path<A, (m < n ? n : m)>> joined(const Path<A, m>& a, const Path<A, n>& b) {
+Result<Path<A, std::max(m, n)>> joined(const Path<A, m>& a, const Path<A, n>& b) {
   using S = typename A::Scalar;
-  using P = Path<A, (m < n ? n : m)>;
+  using P = Path<A, std::max(m, n)>;
   const auto& last = a.segments().back().preimage();
   const auto& first = b.segments().front().preimage();
   const std::size_t join = a.segment_count();
