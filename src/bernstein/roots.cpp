@@ -68,7 +68,9 @@ std::optional<Enclosure> newton_refined(const EnclosureRow& row, int direction) 
     if (!(low <= high)) return std::nullopt;
     const double before = where.upper() - where.lower();
     where = {low, high};
-    if (high - low > 0.5 * before) break;
+    // At the middle a known sign halves the interval. (The first step is not at the middle, and may
+    // cut off less where the slope comes close to zero on the piece.)
+    if (step > 0 && high - low > 0.5 * before) break;
     m = where.middle();
     const Enclosure here = derivative.value(where);
     const double least = std::max(slope.lower(), here.lower());

@@ -13,10 +13,13 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "hodograph/bernstein/range.hpp"
 #include "hodograph/path/detail/enclosed_curve.hpp"
+#include "hodograph/path/detail/quick_curvature.hpp"
 #include "hodograph/path/path.hpp"
 
 namespace hodograph {
@@ -116,22 +119,69 @@ std::array<Extremes, point_t<A>::dimension> bounding_box(const Path<A, n>& path,
   return box;
 }
 
+namespace path_detail {
+
+/// 2nτ/(hσ²), the curvature in the plane.
+template <std::size_t n>
+BernsteinQuotient turning_quotient(const EnclosedCurve<Complex<double>, n>& exact) {
+  const auto square =
+      symmetric_square(exact.speed(), [](const Enclosure& a, const Enclosure& b) { return a * b; });
+  const Enclosure unit = power_of_two(-exact.exponent());
+  const Enclosure factor = Enclosure(2.0 * std::max(1.0, static_cast<double>(n))) / exact.step();
+  return BernsteinQuotient::of(turning_polynomial(exact.preimage()), square)
+      .times((factor * unit) * unit);
+}
+
+/// Whether both enclosures are as narrow as the goal asks.
+inline bool reaches(const Extremes& found, const RangeGoal& goal) {
+  for (const Enclosure& e : {found.minimum, found.maximum}) {
+    if (!(e.upper() - e.lower() <= goal.relative_width * e.magnitude())) return false;
+  }
+  return true;
+}
+
+/// The quick extremes of all segments of a planar path together, where all of them settle.
+template <std::size_t n>
+std::optional<Extremes> quick_curvature_extremes(
+    std::span<const PhCurve<Complex<double>, n>> curves) {
+  std::optional<Extremes> all;
+  if constexpr (n > 0) {
+    for (const auto& curve : curves) {
+      const auto found = QuickCurvature<n>(curve).extremes();
+      if (!found) return std::nullopt;
+      all = all ? joined(*all, *found) : found;
+    }
+  }
+  return all;
+}
+
+}  // namespace path_detail
+
 /// The extremes of the curvature: in the plane signed, positive to the left, 2 Im(w* w')/σ²; in
 /// space κ = 2 |(V₂, V₃)|/σ² ≥ 0 with V = vec(A* A'), ' = d/dξ. The upper end of the maximum (in
 /// the plane also the lower end of the minimum) is infinite where the speed may vanish.
+///
+/// Method: in the plane, the isolated roots of f = σ h' - 2 h σ' (h = κσ²; "Path planning with
+/// Pythagorean-hodograph curves for unmanned or autonomous vehicles", section 6) in double
+/// precision with known bounds of the rounding; where that does not settle or does not reach the
+/// goal, and in space, best-first subdivision.
 template <class A, std::size_t n>
   requires std::same_as<typename A::Scalar, double>
 Extremes curvature_extremes(const Path<A, n>& path, const RangeGoal& goal) {
   constexpr bool planar = A::dimension == 2;
+  if constexpr (planar) {
+    const auto found = path_detail::quick_curvature_extremes<n>(path.segments());
+    if (found && path_detail::reaches(*found, goal)) return *found;
+  }
   return path_detail::extremes_over_parts(
       path, planar ? RangeMeasure::value : RangeMeasure::norm, goal, [](const auto& exact) {
-        return path_detail::rate_quotient(exact, 2, [](const auto& v) {
-          if constexpr (planar) {
-            return v;
-          } else {
+        if constexpr (planar) {
+          return path_detail::turning_quotient(exact);
+        } else {
+          return path_detail::rate_quotient(exact, 2, [](const auto& v) {
             return Vector2<Enclosure>{v.y, v.z};
-          }
-        });
+          });
+        }
       });
 }
 
