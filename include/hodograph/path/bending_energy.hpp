@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The bending energy ∫ κ² ds of planar curves and paths.
+//
+// With the curvature κ = h/σ², h = 2 Im(w* w'), and ds = σ dξ it is ∫ h²/σ³ dξ. It scales with the
+// inverse of lengths and is that of the exact curve of the stored numbers (see path/bounds.hpp).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hodograph/foundation/enclosure.hpp"
+#include "hodograph/foundation/result.hpp"
+#include "hodograph/path/detail/enclosed_curve.hpp"
+#include "hodograph/path/detail/energy_integral.hpp"
+#include "hodograph/path/path.hpp"
+
+namespace hodograph {
+
+namespace path_detail {
+
+inline Fault infinite_energy(std::size_t segment) {
+  return {FaultCode::zero_speed,
+          "the speed of segment " + std::to_string(segment) +
+              " comes to zero within rounding, where the bending energy may be infinite; it needs "
+              "a regular curve",
+          segment,
+          "speed",
+          0.0,
+          std::nullopt};
+}
+
+/// Numbers summed by halves: the rounding grows with the logarithm of their count.
+template <class S>
+S summed_by_halves(std::vector<S> numbers) {
+  for (std::size_t stride = 1; stride < numbers.size(); stride *= 2) {
+    for (std::size_t k = 0; k + stride < numbers.size(); k += 2 * stride) {
+      numbers[k] = numbers[k] + numbers[k + stride];
+    }
+  }
+  return numbers.empty() ? S(0.0) : numbers[0];
+}
+
+template <class S, std::size_t n, class Energy>
+Result<S> sum_over_segments(const PlanarPath<n>& path, const Energy& energy) {
+  std::vector<S> energies;
+  energies.reserve(path.segment_count());
+  for (std::size_t k = 0; k < path.segment_count(); ++k) {
+    const Result<S> share = energy(path.segment(k));
+    if (!share) return infinite_energy(k);
+    energies.push_back(*share);
+  }
+  return summed_by_halves(std::move(energies));
+}
+
+}  // namespace path_detail
+
+/// The bending energy of one curve in an enclosure, rounding and the remainder of the quadrature
+/// included: a few hundred roundings wide, more only where the speed nearly vanishes or where the
+/// curve is so nearly straight that its curvature is known to few digits.
+/// Exactly 0 for a curve that is exactly straight.
+/// Faults: zero_speed where σ may vanish on a curve that is not straight, within rounding: the
+/// integral is infinite unless h vanishes there as well.
+/// Method: path/detail/energy_integral.hpp. Cost: some 10 µs for a quintic.
+template <std::size_t n>
+Result<Enclosure> bending_energy_enclosure(const PhCurve<Complex<double>, n>& curve) {
+  if constexpr (n == 0) {
+    return Enclosure(0.0);
+  } else {
+    const path_detail::EnclosedCurve<Complex<double>, n> exact(curve);
+    const auto integral = path_detail::EnergyIntegral<Enclosure, n>(exact.preimage()).value();
+    if (!integral) return path_detail::infinite_energy(0);
+    const Enclosure unit = path_detail::power_of_two(-exact.exponent());
+    constexpr double m = static_cast<double>(n);
+    const Enclosure energy = (((Enclosure(4.0 * m * m) * *integral) / exact.step()) * unit) * unit;
+    return Enclosure(std::max(0.0, energy.lower()), energy.upper());
+  }
+}
+
+/// The bending energy of a path, the sum of those of its segments. A corner at a knot (a jump of
+/// the direction) counts for nothing here, though no finite bending makes it.
+/// Faults: zero_speed, with the index of the segment.
+template <std::size_t n>
+Result<Enclosure> bending_energy_enclosure(const PlanarPath<n>& path) {
+  return path_detail::sum_over_segments<Enclosure>(
+      path, [](const auto& curve) { return bending_energy_enclosure(curve); });
+}
+
+/// The bending energy of one curve in double precision: a small multiple of rounding, amplified
+/// only by cancellation in h (nearly straight curves) and in σ (near a cusp), as the enclosure.
+/// Faults: zero_speed, not_finite (sizes whose energy is out of the range of numbers).
+/// Cost: about 1 µs for a quintic.
+template <std::size_t n>
+Result<double> bending_energy(const PhCurve<Complex<double>, n>& curve) {
+  if constexpr (n == 0) {
+    return 0.0;
+  } else {
+    double size = 0.0;
+    for (const auto& w : curve.preimage().coefficients()) {
+      size = std::max(size, largest_component(w));
+    }
+    const int exponent = path_detail::exponent_of(size);
+    const auto scaled = curve.preimage().mapped([exponent](const Complex<double>& w) {
+      return Complex<double>{std::ldexp(w.re, -exponent), std::ldexp(w.im, -exponent)};
+    });
+    const auto integral = path_detail::EnergyIntegral<double, n>(scaled).value();
+    if (!integral) return path_detail::infinite_energy(0);
+    constexpr double m = static_cast<double>(n);
+    const double energy =
+        std::ldexp(4.0 * m * m * *integral / curve.parameter_step(), -2 * exponent);
+    if (!std::isfinite(energy)) {
+      return Fault{FaultCode::not_finite, "the bending energy exceeds the range of numbers",
+                   std::nullopt,          "bending_energy",
+                   std::nullopt,          std::nullopt};
+    }
+    return energy;
+  }
+}
+
+/// The sum over the segments of a path. Faults: as for a curve, with the index of the segment.
+template <std::size_t n>
+Result<double> bending_energy(const PlanarPath<n>& path) {
+  return path_detail::sum_over_segments<double>(
+      path, [](const auto& curve) { return bending_energy(curve); });
+}
+
+}  // namespace hodograph
