@@ -14,6 +14,7 @@
 #include "hodograph/foundation/result.hpp"
 #include "hodograph/path/detail/enclosed_curve.hpp"
 #include "hodograph/path/detail/energy_integral.hpp"
+#include "hodograph/path/detail/sum_by_halves.hpp"
 #include "hodograph/path/path.hpp"
 
 namespace hodograph {
@@ -31,17 +32,6 @@ inline Fault infinite_energy(std::size_t segment) {
           std::nullopt};
 }
 
-/// Numbers summed by halves: the rounding grows with the logarithm of their count.
-template <class S>
-S summed_by_halves(std::vector<S> numbers) {
-  for (std::size_t stride = 1; stride < numbers.size(); stride *= 2) {
-    for (std::size_t k = 0; k + stride < numbers.size(); k += 2 * stride) {
-      numbers[k] = numbers[k] + numbers[k + stride];
-    }
-  }
-  return numbers.empty() ? S(0.0) : numbers[0];
-}
-
 template <class S, std::size_t n, class Energy>
 Result<S> sum_over_segments(const PlanarPath<n>& path, const Energy& energy) {
   std::vector<S> energies;
@@ -51,7 +41,7 @@ Result<S> sum_over_segments(const PlanarPath<n>& path, const Energy& energy) {
     if (!share) return infinite_energy(k);
     energies.push_back(*share);
   }
-  return summed_by_halves(std::move(energies));
+  return sum_by_halves(std::move(energies));
 }
 
 }  // namespace path_detail
