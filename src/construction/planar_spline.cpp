@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
+#include "hodograph/path/bending_energy.hpp"
 #include "planar_spline_solver.hpp"
 
 namespace hodograph {
@@ -170,13 +172,28 @@ std::optional<Fault> set_up(const Nodes& nodes, const PlanarSplineOptions& optio
   return std::nullopt;
 }
 
-Result<PlanarSplinePreimage> solve(const Nodes& nodes, const PlanarSplineOptions& options) {
-  PlanarSplinePreimage result;
+/// A solved system, and what it takes to turn it into preimages.
+struct Solved {
   SplineProblem problem;
+  planar_spline_detail::SplineSolution solution;
+  std::vector<double> knots;
   int exponent = 0;
-  if (auto fault = set_up(nodes, options, problem, result.knots, exponent)) return *fault;
-  auto solution = planar_spline_detail::solve(problem, options.most_alternatives);
-  PlanarSplineReport& report = result.report;
+  PlanarSplineReport report;
+
+  /// What z is multiplied by.
+  double scale() const { return std::ldexp(1.0, exponent); }
+  PlanarPhCurve<2> curve(const Nodes& nodes, std::size_t i, double unit) const {
+    const auto span = coefficients(problem, solution.z, i);
+    return {nodes.at(i),
+            BernsteinPolynomial<Number, 2>({unit * span.a, unit * span.z, unit * span.b}),
+            knots[i + 1] - knots[i]};
+  }
+};
+
+std::optional<Fault> solve(const Nodes& nodes, const PlanarSplineOptions& options, Solved& solved) {
+  auto& [problem, solution, knots, exponent, report] = solved;
+  if (auto fault = set_up(nodes, options, problem, knots, exponent)) return *fault;
+  solution = planar_spline_detail::solve(problem, options.most_alternatives);
   report.newton_steps = solution.steps;
   report.residual = solution.misfit.worst / 5.0;  // of 3 squares, and of 15 times the span
   report.worst_span = solution.misfit.row;
@@ -197,17 +214,63 @@ Result<PlanarSplinePreimage> solve(const Nodes& nodes, const PlanarSplineOptions
                  report.residual,
                  std::nullopt};
   }
-  const double scale = std::ldexp(1.0, exponent);
-  if (options.with_energy || solution.alternatives > 0) {
-    // ∫κ²ds has the unit 1/length.
-    report.energy = planar_spline_detail::quadrature_energy(problem, solution.z) / scale / scale;
+  return std::nullopt;
+}
+
+/// The gap at the end of a curve, as a share of the largest coordinate or displacement there.
+double gap_share(const PlanarPhCurve<2>& curve, const Vector2<double>& end, Vector2<double>& gap) {
+  gap = end - curve.end();
+  const double size = largest_component(gap);
+  if (size == 0.0) return 0.0;
+  double scale = std::max(largest_component(end), largest_component(curve.end()));
+  for (const auto& c : curve.integral().coefficients()) {
+    scale = std::max(scale, largest_component(c.displacement));
   }
-  result.node = node_values(problem, solution.z);
-  result.middle = std::move(solution.z);
-  for (Number& x : result.node) x = scale * x;
-  for (Number& x : result.middle) x = scale * x;
-  result.kept = nodes.index;
-  return result;
+  return size / scale;
+}
+
+/// The curves of all spans. Where the rounding of a curve's own coefficients makes it miss its end
+/// by nearly as much as counts as continuous, the gaps are put through one more Newton step.
+std::vector<PlanarPhCurve<2>> curves_of(const Nodes& nodes, Solved& solved) {
+  constexpr int most_rounds = 4;
+  constexpr double allowed = 0.75 * accuracy::continuity_error<double>(5, 0);
+  const std::size_t size = nodes.spans;
+  const double unit = solved.scale();
+  std::vector<PlanarPhCurve<2>> curves;
+  curves.reserve(size);
+  double worst = 0.0;
+  Vector2<double> gap;
+  for (std::size_t i = 0; i < size; ++i) {
+    curves.push_back(solved.curve(nodes, i, unit));
+    worst = std::max(worst, gap_share(curves[i], nodes.at(i + 1), gap));
+  }
+  for (int round = 0; round < most_rounds && worst > allowed; ++round) {
+    const std::vector<Number> before = solved.solution.z;
+    std::vector<Number> right(size);
+    const double unscale = std::ldexp(1.0, -solved.exponent);
+    for (std::size_t i = 0; i < size; ++i) {
+      gap_share(curves[i], nodes.at(i + 1), gap);
+      const double factor = 15.0 / curves[i].parameter_step();
+      right[i] = factor * (unscale * (unscale * Number{gap.x, gap.y}));
+    }
+    planar_spline_detail::SplineSystem system(solved.problem);
+    system.pivoted_solve(before, right);
+    for (std::size_t i = 0; i < size; ++i) solved.solution.z[i] += system.step()[i];
+    std::vector<PlanarPhCurve<2>> corrected;
+    corrected.reserve(size);
+    double remaining = 0.0;
+    for (std::size_t i = 0; i < size; ++i) {
+      corrected.push_back(solved.curve(nodes, i, unit));
+      remaining = std::max(remaining, gap_share(corrected[i], nodes.at(i + 1), gap));
+    }
+    if (!(remaining < worst)) {
+      solved.solution.z = before;
+      break;
+    }
+    curves.swap(corrected);
+    worst = remaining;
+  }
+  return curves;
 }
 
 }  // namespace
@@ -216,28 +279,46 @@ Result<PlanarSplinePreimage> planar_spline_preimage(std::span<const Vector2<doub
                                                     const PlanarSplineOptions& options) {
   Nodes nodes;
   if (auto fault = choose_nodes(points, options, nodes)) return *fault;
-  return solve(nodes, options);
+  Solved solved;
+  if (auto fault = solve(nodes, options, solved)) return *fault;
+  PlanarSplinePreimage result;
+  if (options.with_energy) {
+    // ∫κ²ds has the unit 1/length.
+    solved.report.energy =
+        planar_spline_detail::quadrature_energy(solved.problem, solved.solution.z) /
+        solved.scale() / solved.scale();
+  }
+  result.node.resize(nodes.spans + 1);
+  const double scale = solved.scale();
+  for (std::size_t i = 0; i < nodes.spans; ++i) {
+    const auto span = coefficients(solved.problem, solved.solution.z, i);
+    result.node[i] = scale * span.a;
+    if (i + 1 == nodes.spans) result.node[i + 1] = scale * span.b;
+  }
+  result.middle = std::move(solved.solution.z);
+  for (Number& x : result.middle) x = scale * x;
+  result.knots = std::move(solved.knots);
+  result.kept = std::move(nodes.index);
+  result.report = solved.report;
+  return result;
 }
 
 Result<PlanarSpline> planar_spline(std::span<const Vector2<double>> points,
                                    const PlanarSplineOptions& options) {
   Nodes nodes;
   if (auto fault = choose_nodes(points, options, nodes)) return *fault;
-  auto solved = solve(nodes, options);
-  if (!solved) return solved.fault();
-  std::vector<PlanarPhCurve<2>> curves;
-  curves.reserve(nodes.spans);
-  for (std::size_t i = 0; i < nodes.spans; ++i) {
-    const BernsteinPolynomial<Number, 2> preimage(
-        {solved->node[i], solved->middle[i], solved->node[i + 1]});
-    curves.emplace_back(nodes.at(i), preimage, solved->knots[i + 1] - solved->knots[i]);
-  }
-  const PlanarSplineReport report = solved->report;
-  solved->middle = {};
-  solved->node = {};
-  auto path = PlanarPath<2>::create(std::move(solved->knots), std::move(curves), options.closed);
+  Solved solved;
+  if (auto fault = solve(nodes, options, solved)) return *fault;
+  auto curves = curves_of(nodes, solved);
+  solved.problem = {};
+  solved.solution.z = {};
+  auto path = PlanarPath<2>::create(std::move(solved.knots), std::move(curves), options.closed);
   if (!path) return path.fault();
-  return PlanarSpline{std::move(*path), report};
+  if (options.with_energy) {
+    const auto energy = bending_energy(*path);
+    solved.report.energy = energy ? *energy : std::numeric_limits<double>::infinity();
+  }
+  return PlanarSpline{std::move(*path), solved.report};
 }
 
 }  // namespace hodograph

@@ -234,9 +234,11 @@ double energy_of_part(const Number& a, const Number& z, const Number& b, int dep
                 energy_of_part(middle, right, b, depth - 1, 0.5 * two));
 }
 
-double energy_of_span(const Number& a, const Number& z, const Number& b, double h) {
+double energy_of_span(const SplineProblem& problem, const std::vector<Number>& z, std::size_t i) {
   constexpr int deepest = 24;
-  const double energy = energy_of_part(a, z, b, deepest, gauss(a, z, b)) / h;
+  const auto [a, middle, b] = coefficients(problem, z, i);
+  const double h = problem.step.empty() ? 1.0 : problem.step[i];
+  const double energy = energy_of_part(a, middle, b, deepest, gauss(a, middle, b)) / h;
   return energy == energy ? energy : std::numeric_limits<double>::infinity();
 }
 
@@ -272,13 +274,12 @@ double turn_cosine(const SplineProblem& problem, const std::vector<Number>& midd
 class Alternatives {
  public:
   Alternatives(SplineProblem& problem, SplineSolution& solution)
-      : problem_(problem), solution_(solution) {}
+      : problem_(problem), solution_(solution), energy_(problem.size(), unknown) {}
 
-  /// Tries the turns at the nodes, which increase. Returns whether anything was taken.
-  bool run(const std::vector<std::size_t>& nodes) {
-    std::vector<Number>& z = solution_.z;
-    const std::size_t size = z.size();
-    const std::size_t before = solution_.taken;
+  /// Tries the turns at the nodes, which increase; returns those where the other one was taken.
+  std::vector<std::size_t> run(const std::vector<std::size_t>& nodes) {
+    const std::size_t size = solution_.z.size();
+    std::vector<std::size_t> changed;
     settled_ = 0;
     sign_ = 1.0;
     for (const std::size_t node : nodes) {
@@ -289,13 +290,15 @@ class Alternatives {
         end = size;
       }
       settle(std::min(size, end + 1));
-      try_node(begin, end, node);
+      if (try_node(begin, end, node)) changed.push_back(node);
     }
     settle(size);
-    return solution_.taken > before;
+    return changed;
   }
 
  private:
+  static constexpr double unknown = -1.0;
+
   /// Applies the sign that earlier changes left for the spans below `until`.
   void settle(std::size_t until) {
     for (; settled_ < until; ++settled_) {
@@ -303,53 +306,77 @@ class Alternatives {
     }
   }
 
-  void try_node(std::size_t begin, std::size_t end, std::size_t node) {
+  double energy_now(std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (energy_[i] == unknown) energy_[i] = energy_of_span(problem_, solution_.z, i);
+      sum += energy_[i];
+    }
+    return sum;
+  }
+
+  bool try_node(std::size_t begin, std::size_t end, std::size_t node) {
     std::vector<Number>& z = solution_.z;
     const bool whole = begin == 0 && end == z.size();
+    const double energy = energy_now(begin, end);
     SplineProblem part = window(problem_, z, begin, end);
     const std::vector<Number> own(z.begin() + static_cast<std::ptrdiff_t>(begin),
                                   z.begin() + static_cast<std::ptrdiff_t>(end));
-    const std::vector<Number> middles = unknowns_to_middles(part, own);
-    const double energy = quadrature_energy(part, own);
+    std::vector<Number> start = unknowns_to_middles(part, own);
     // What lies behind the node changes its sign.
     if (whole) {
       part.closure = -part.closure;
     } else {
       part.after = -part.after;
     }
-    const auto flipped = [&](std::vector<Number> all) {
-      for (std::size_t i = node - begin; i < all.size(); ++i) all[i] = -all[i];
-      return all;
-    };
-    std::vector<Number> roots(own.size());
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      roots[i] = root_near((1.0 / 15.0) * part.target[i], middles[i]);
-    }
+    for (std::size_t i = node - begin; i < start.size(); ++i) start[i] = -start[i];
+    constexpr double distinct = 1e-6;  // 100 times the error of the quadrature
+    SplineSystem system(part);
     std::vector<Number> best;
     double least = energy;
-    for (const auto& start : {flipped(middles), flipped(roots)}) {
+    // From the middles of what is there and, where the chords are very uneven, from the chords.
+    for (int trial = 0; trial < (uneven(node) ? 2 : 1); ++trial) {
+      if (trial == 1) {
+        for (std::size_t i = 0; i < start.size(); ++i) {
+          start[i] = root_near((1.0 / 15.0) * part.target[i], start[i]);
+        }
+      }
       std::vector<Number> other = middles_to_unknowns(part, start);
       ++solution_.alternatives;
-      SplineSystem system(part);
       if (!descend(system, other).converged) continue;
       const double found = quadrature_energy(part, other);
-      constexpr double distinct = 1e-6;  // 100 times the error of the quadrature
       if (std::abs(found - energy) > distinct * energy) ++solution_.found;
       if (found < (1.0 - distinct) * least) {
         least = found;
         best = std::move(other);
       }
     }
-    if (best.empty()) return;
+    if (best.empty()) return false;
     ++solution_.taken;
     std::copy(best.begin(), best.end(), z.begin() + static_cast<std::ptrdiff_t>(begin));
-    problem_.closure = problem_.first == SplineEnd::periodic ? -problem_.closure : 1.0;
+    if (problem_.first == SplineEnd::periodic) problem_.closure = -problem_.closure;
     for (std::size_t i = end; i < settled_; ++i) z[i] = -z[i];
     if (!whole) sign_ = -sign_;
+    std::fill(energy_.begin() + static_cast<std::ptrdiff_t>(begin),
+              energy_.begin() + static_cast<std::ptrdiff_t>(end), unknown);
+    return true;
+  }
+
+  /// Whether a chord near the node is 8 times another.
+  bool uneven(std::size_t node) const {
+    constexpr double ratio = 64.0;  // of squares
+    const std::size_t end = std::min(problem_.size(), node + 2);
+    double least = std::numeric_limits<double>::infinity(), largest = 0.0;
+    for (std::size_t i = node > 2 ? node - 2 : 0; i < end; ++i) {
+      least = std::min(least, squared(problem_.target[i]));
+      largest = std::max(largest, squared(problem_.target[i]));
+    }
+    return largest > ratio * least;
   }
 
   SplineProblem& problem_;
   SplineSolution& solution_;
+  std::vector<double> energy_;  ///< of the spans of the present solution, where known
   std::size_t settled_ = 0;
   double sign_ = 1.0;
 };
@@ -382,6 +409,8 @@ std::vector<std::size_t> doubtful_nodes(const SplineProblem& problem, const std:
 
 void search(SplineProblem& problem, SplineSolution& solution, std::size_t most) {
   constexpr int most_passes = 3;
+  std::vector<std::size_t> nodes = doubtful_nodes(problem, solution.z, most);
+  if (nodes.empty()) return;
   std::size_t shift = 0;
   if (problem.first == SplineEnd::periodic && solution.z.size() > 2 * radius + 2) {
     // The seam goes where the turn is least.
@@ -395,11 +424,19 @@ void search(SplineProblem& problem, SplineSolution& solution, std::size_t most) 
       }
     }
     rotate(problem, solution.z, shift);
+    nodes = doubtful_nodes(problem, solution.z, most);
   }
   Alternatives alternatives(problem, solution);
-  for (int pass = 0; pass < most_passes; ++pass) {
-    const auto nodes = doubtful_nodes(problem, solution.z, most);
-    if (nodes.empty() || !alternatives.run(nodes)) break;
+  for (int pass = 0; pass < most_passes && !nodes.empty(); ++pass) {
+    const std::vector<std::size_t> changed = alternatives.run(nodes);
+    if (changed.empty()) break;
+    // Once more, where something changed nearby.
+    nodes = doubtful_nodes(problem, solution.z, most);
+    std::size_t next = 0;
+    std::erase_if(nodes, [&](std::size_t node) {
+      while (next < changed.size() && changed[next] + radius < node) ++next;
+      return next == changed.size() || changed[next] > node + radius;
+    });
   }
   if (shift > 0) rotate(problem, solution.z, solution.z.size() - shift);
 }
@@ -433,23 +470,8 @@ void settle(const SplineProblem& problem, SplineSystem& system, SplineSolution& 
 }  // namespace
 
 double quadrature_energy(const SplineProblem& problem, const std::vector<Number>& z) {
-  const std::size_t size = z.size();
-  const bool periodic = problem.first == SplineEnd::periodic;
-  const auto node = [&](std::size_t k) {
-    const double g = problem.weight_at(k);
-    const Number x = k > 0 ? z[k - 1] : periodic ? problem.closure * z[size - 1] : problem.before;
-    const Number y = k < size ? z[k] : periodic ? problem.closure * z[0] : problem.after;
-    return g * x + (1.0 - g) * y;
-  };
   double sum = 0.0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const bool left = i > 0 || problem.first != SplineEnd::straight;
-    const bool right = i + 1 < size || problem.last != SplineEnd::straight;
-    Number a = left ? node(i) : z[i], b = right ? node(i + 1) : z[i];
-    if (!left && right) a = 2.0 * z[i] - b;
-    if (!right && left) b = 2.0 * z[i] - a;
-    sum += energy_of_span(a, z[i], b, problem.step.empty() ? 1.0 : problem.step[i]);
-  }
+  for (std::size_t i = 0; i < z.size(); ++i) sum += energy_of_span(problem, z, i);
   return sum;
 }
 

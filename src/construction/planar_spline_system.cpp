@@ -194,24 +194,18 @@ void SplineProblem::weigh_rows() {
   }
 }
 
-std::vector<Number> node_values(const SplineProblem& problem, const std::vector<Number>& z) {
-  const std::size_t size = z.size();
-  std::vector<Number> node(size + 1);
-  const auto mix = [&](std::size_t k, const Number& x, const Number& y) {
-    const double g = problem.weight_at(k);
-    return g * x + (1.0 - g) * y;
-  };
-  for (std::size_t k = 1; k < size; ++k) node[k] = mix(k, z[k - 1], z[k]);
-  if (problem.first == SplineEnd::periodic) {
-    node[0] = mix(0, problem.closure * z[size - 1], z[0]);
-    node[size] = problem.closure * node[0];
-  } else if (size == 1) {
-    node[0] = node[1] = z[0];
-  } else {
-    node[0] = 2.0 * z[0] - node[1];
-    node[size] = 2.0 * z[size - 1] - node[size - 1];
-  }
-  return node;
+SpanCoefficients coefficients(const SplineProblem& problem, const std::vector<Number>& z,
+                              std::size_t i) {
+  SpanCoefficients span{z[i], z[i], z[i]};
+  with_rows(problem, z.data(), [&](const auto& rows) {
+    const bool left = i > 0 || problem.first != SplineEnd::straight;
+    const bool right = i + 1 < z.size() || problem.last != SplineEnd::straight;
+    if (left) span.a = rows.node(i);
+    if (right) span.b = rows.node(i + 1);
+    if (left && !right) span.b = 2.0 * span.z - span.a;
+    if (right && !left) span.a = 2.0 * span.z - span.b;
+  });
+  return span;
 }
 
 SplineSystem::SplineSystem(const SplineProblem& problem)

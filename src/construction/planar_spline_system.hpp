@@ -50,8 +50,12 @@ struct SplineProblem {
   void weigh_rows();
 };
 
-/// The coefficients a and b of every span at a solution: its node values 0 ... N.
-std::vector<Number> node_values(const SplineProblem& problem, const std::vector<Number>& z);
+/// The preimage of one span.
+struct SpanCoefficients {
+  Number a, z, b;
+};
+SpanCoefficients coefficients(const SplineProblem& problem, const std::vector<Number>& z,
+                              std::size_t i);
 
 /// How far a z is from a solution.
 struct Misfit {
