@@ -120,7 +120,7 @@ TEST(BendingEnergy, EnclosuresHoldNearCuspsAndLines) {
 TEST(BendingEnergy, IsNarrowOnTameCurves) {
   Random random("bending energy: width");
   for (int i = 0; i < 200; ++i) {
-    const auto path = test::random_path<PlanarPath<2>>(random, 5, 1);
+    const auto path = test::random_path<PlanarPath<2>>(random, 5, 0);
     const auto energy = bending_energy_enclosure(path);
     ASSERT_TRUE(energy.has_value());
     EXPECT_LE(energy->width(), 4096 * std::numeric_limits<double>::epsilon() * energy->upper());

@@ -64,8 +64,10 @@ struct OffsetCusp {
   RootKind kind = RootKind::cluster;
 };
 
-/// The offsets without cusp are those at distances in (-ρ_right, ρ_left). Any number between the
-/// ends of an enclosure may be the limit; its lower end is safe.
+/// 1 - dκ > 0 everywhere, so that the offset has no cusp and runs forward, exactly for distances d
+/// in
+/// (-ρ_right, ρ_left). Any number between the ends of an enclosure may be the limit; its lower end
+/// is safe.
 struct CuspFreeOffsets {
   Enclosure right;  ///< ρ_right = 1/max(-κ); without upper end where the path never turns right
   Enclosure left;   ///< ρ_left = 1/max κ; without upper end where the path never turns left
@@ -188,8 +190,9 @@ std::vector<OffsetCusp> offset_cusps(const PlanarPath<n>& path, double distance)
   return cusps;
 }
 
-/// The largest distances to either side without a cusp, from the extremes of the curvature, refined
-/// as the goal asks: certain, rounding included. Both are 0 at most where the speed may vanish.
+/// The largest distances to either side up to which offsets have no cusp, from the extremes of the
+/// curvature, refined as the goal asks: certain, rounding included. Both are 0 at most where the
+/// speed may vanish.
 template <std::size_t n>
 CuspFreeOffsets cusp_free_offsets(const PlanarPath<n>& path, const RangeGoal& goal) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
