@@ -309,7 +309,7 @@ TEST(Intersections, NearestPointOfAPlanarPathIsItsFoot) {
     const double xi = random.uniform(p.xi_begin(), p.xi_end());
     const auto foot = p.position(xi);
     const auto jet = p.position_derivatives<1>(xi);
-    const double side = 0x1.0p-4;
+    constexpr double side = 0x1.0p-4;  // nearer than the centre of curvature, mostly
     const Vector2<double> beside =
         foot + (side / p.speed(xi)) * Vector2<double>{-jet[1].y, jet[1].x};
     const auto nearest = nearest_point(p, beside).value();
