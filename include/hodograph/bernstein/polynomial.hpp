@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <type_traits>
+#include <utility>
 
 #include "hodograph/bernstein/weights.hpp"
 
@@ -23,6 +26,20 @@ struct ScalarOf<V> {
 };
 template <class V>
 using scalar_of_t = typename ScalarOf<V>::type;
+
+/// body(0), ..., body(count - 1): written out for built-in numbers, whose operations are shorter
+/// than the bookkeeping of a loop; a loop for every other scalar.
+template <std::size_t count, class S, class Body>
+[[gnu::always_inline]] constexpr void unrolled(const Body& body) {
+  if constexpr (std::is_floating_point_v<S>) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+      (body(i), ...);
+    }
+    (std::make_index_sequence<count>{});
+  } else {
+    for (std::size_t i = 0; i < count; ++i) body(i);
+  }
+}
 
 /// f(u) = Σ_{i=0..n} c_i B_i^n(u), u in [0, 1].
 ///
@@ -98,10 +115,10 @@ class BernsteinPolynomial {
     BernsteinPolynomial<V, n + 1> result;
     const Scalar factor = ratio<Scalar>(1, static_cast<std::int64_t>(n + 1));
     V sum{};
-    for (std::size_t i = 0; i <= n; ++i) {
-      sum = sum + c_[i];
+    unrolled<n + 1, Scalar>([&](std::size_t i) {
+      sum = i == 0 ? c_[0] : sum + c_[i];
       result[i + 1] = factor * sum;
-    }
+    });
     return result;
   }
 
@@ -145,7 +162,7 @@ class BernsteinPolynomial {
   template <class Map>
   constexpr auto mapped(const Map& map) const {
     BernsteinPolynomial<decltype(map(c_[0])), n> result;
-    for (std::size_t i = 0; i <= n; ++i) result[i] = map(c_[i]);
+    unrolled<n + 1, Scalar>([&](std::size_t i) { result[i] = map(c_[i]); });
     return result;
   }
 
@@ -230,27 +247,30 @@ constexpr auto product(const BernsteinPolynomial<V, m>& f, const BernsteinPolyno
 
 /// The product of f with itself under a symmetric bilinear form: half the work of product(f, f).
 ///   C(2n,k) h_k = Σ_{i+j=k} form(C(n,i) f_i, C(n,j) f_j), equal terms taken once and doubled.
-template <class V, std::size_t n, class Form>
-constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& form) {
+/// A form may return a value that is only summed and scaled, from which finish makes the result.
+template <class V, std::size_t n, class Form, class Finish = std::identity>
+constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& form,
+                                const Finish& finish = {}) {
   using S = scalar_of_t<V>;
   using R = real_of_t<S>;
   const auto& row = constant_table<R, BinomialRow<R, n>>();
   const auto& reciprocals = constant_table<R, ReciprocalBinomials<R, 2 * n>>();
-  std::array<V, n + 1> scaled = f.coefficients();
-  for (std::size_t i = 1; i < n; ++i) scaled[i] = S(row[i]) * scaled[i];
-  BernsteinPolynomial<decltype(form(f[0], f[0])), 2 * n> h;
-  for (std::size_t k = 0; k <= 2 * n; ++k) {
+  std::array<V, n + 1> scaled;
+  unrolled<n + 1, S>(
+      [&](std::size_t i) { scaled[i] = i == 0 || i == n ? f[i] : S(row[i]) * f[i]; });
+  BernsteinPolynomial<std::remove_cvref_t<decltype(finish(form(f[0], f[0])))>, 2 * n> h;
+  unrolled<2 * n + 1, S>([&](std::size_t k) __attribute__((always_inline)) {
     std::size_t i = k > n ? k - n : 0;
     if (2 * i == k) {
-      h[k] = form(scaled[i], scaled[i]);
+      h[k] = finish(form(scaled[i], scaled[i]));
     } else {
       auto sum = form(scaled[i], scaled[k - i]);
       for (++i; 2 * i < k; ++i) sum = sum + form(scaled[i], scaled[k - i]);
       sum = sum + sum;
       if (2 * i == k) sum = sum + form(scaled[i], scaled[i]);
-      h[k] = S(reciprocals[k]) * sum;
+      h[k] = finish(S(reciprocals[k]) * sum);
     }
-  }
+  });
   return h;
 }
 

@@ -9,6 +9,7 @@
 #include "hodograph/algebra/preimage_algebra.hpp"
 #include "hodograph/bernstein/polynomial.hpp"
 #include "hodograph/curve/curve_integral.hpp"
+#include "hodograph/curve/detail/integrand_form.hpp"
 #include "hodograph/curve/preimage_jet.hpp"
 
 namespace hodograph {
@@ -41,10 +42,7 @@ class PhCurve {
       : start_(start),
         parameter_step_(parameter_step),
         preimage_(preimage),
-        integral_(parameter_step *
-                  symmetric_square(preimage, [](const A& a, const A& b) {
-                    return CurveIntegral<A>{hodograph_form(a, b), speed_form(a, b)};
-                  }).antiderivative()) {
+        integral_(parameter_step * integrand_of(preimage).antiderivative()) {
     for (const A& a : preimage_.coefficients()) {
       if (const Scalar bound = speed_form(a, a); speed_bound_ < bound) speed_bound_ = bound;
     }
@@ -135,6 +133,13 @@ class PhCurve {
   }
 
  private:
+  static constexpr auto integrand_of(const Preimage& preimage) {
+    if (std::is_constant_evaluated()) {
+      return curve_detail::integrand<PlainPair<Scalar>>(preimage);
+    }
+    return curve_detail::integrand<pair_of_t<Scalar>>(preimage);
+  }
+
   template <class P, bool with_displacement = true>
   [[gnu::always_inline]] constexpr CurvePoint<A> evaluate_by(const Scalar& u) const {
     const UnitPowers<degree, P> powers(u);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Several doubles that go through the same arithmetic in one vector register: a scalar for the
-// batch kernels. Needs the vector extensions of GCC or Clang; nothing else in the library includes
-// it.
+// batch kernels, and for the two ends of a segment. Needs the vector extensions of GCC or Clang.
 //
 // The second argument names the instruction set a file is compiled for. Every template instantiated
 // with a Pack is then a type of that file alone, so that the linker never takes one file's inline
@@ -11,6 +10,8 @@
 
 #include <cstddef>
 #include <cstdint>
+
+#include "hodograph/foundation/scalar.hpp"
 
 namespace hodograph {
 
@@ -123,6 +124,11 @@ class Pack {
 
  private:
   Lanes lanes_;
+};
+
+template <std::size_t lanes, class Isa>
+struct RealOf<Pack<lanes, Isa>> {
+  using type = double;
 };
 
 }  // namespace hodograph

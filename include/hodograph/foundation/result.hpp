@@ -15,6 +15,10 @@ template <class T>
 class [[nodiscard]] Result {
  public:
   Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}
+  /// A value made in place from the arguments of one of its constructors.
+  template <class... Arguments>
+  explicit Result(std::in_place_t, Arguments&&... arguments)
+      : content_(std::in_place_index<0>, std::forward<Arguments>(arguments)...) {}
   Result(Fault fault) : content_(std::in_place_index<1>, std::move(fault)) {}
 
   bool has_value() const noexcept { return content_.index() == 0; }

@@ -37,13 +37,14 @@ class ArcLengthTable {
  private:
   static constexpr float width = 1.0F / static_cast<float>(pieces);
 
-  /// The rows B_i^n(k/8), k = 1..7.
+  /// B_i^n(k/8), a row for every i and a column for every k = 0..7.
   template <class R, std::size_t n>
   struct NodeValues {
-    constexpr std::array<std::array<R, n + 1>, pieces - 1> operator()() const {
-      std::array<std::array<R, n + 1>, pieces - 1> rows{};
-      for (std::size_t k = 1; k < pieces; ++k) {
-        rows[k - 1] = bernstein_values<n>(R(static_cast<double>(k) / pieces));
+    constexpr std::array<std::array<R, pieces>, n + 1> operator()() const {
+      std::array<std::array<R, pieces>, n + 1> rows{};
+      for (std::size_t k = 0; k < pieces; ++k) {
+        const auto values = bernstein_values<n>(R(static_cast<double>(k) / pieces));
+        for (std::size_t i = 0; i <= n; ++i) rows[i][k] = values[i];
       }
       return rows;
     }
@@ -57,7 +58,6 @@ class ArcLengthTable {
 template <PreimageAlgebra A, std::size_t n>
 ArcLengthTable::ArcLengthTable(const PhCurve<A, n>& curve) {
   using S = typename A::Scalar;
-  using R = real_of_t<S>;
   constexpr std::size_t degree = 2 * n + 1;
   const double length = to_double(curve.arc_length());
   inverse_length_ = 1.0 / length;
@@ -67,27 +67,27 @@ ArcLengthTable::ArcLengthTable(const PhCurve<A, n>& curve) {
   }
   const double unit = inverse_length_ * to_double(curve.parameter_step());  // dx/du is unit · σ
 
+  // A guess in single precision: double will do for every scalar. The inner loops run over the
+  // nodes, so that the compiler puts them into lanes.
   std::array<double, pieces + 1> x{}, rate{};
   const auto& c = curve.integral().coefficients();
   const auto& a = curve.preimage().coefficients();
-  const auto& length_rows = constant_table<R, NodeValues<R, degree>>();
-  const auto& preimage_rows = constant_table<R, NodeValues<R, n>>();
-  for (std::size_t k = 0; k <= pieces; ++k) {
-    if (k == 0 || k == pieces) {
-      const A& end = k == 0 ? a.front() : a.back();
-      x[k] = k == 0 ? 0.0 : 1.0;
-      rate[k] = unit * to_double(S(speed_form(end, end)));
-    } else {
-      double sum = 0.0;
-      for (std::size_t i = 1; i <= degree; ++i) {
-        sum += to_double(c[i].arc_length) * static_cast<double>(length_rows[k - 1][i]);
-      }
-      A value = S(preimage_rows[k - 1][0]) * a[0];
-      for (std::size_t i = 1; i <= n; ++i) value = value + S(preimage_rows[k - 1][i]) * a[i];
-      x[k] = sum * inverse_length_;
-      rate[k] = unit * to_double(S(speed_form(value, value)));
-    }
+  const auto& length_rows = constant_table<double, NodeValues<double, degree>>();
+  const auto& preimage_rows = constant_table<double, NodeValues<double, n>>();
+  for (std::size_t i = 1; i <= degree; ++i) {
+    const double share = to_double(c[i].arc_length) * inverse_length_;
+    for (std::size_t k = 0; k < pieces; ++k) x[k] += share * length_rows[i][k];
   }
+  for (std::size_t component = 0; component < A::dimension; ++component) {
+    std::array<double, pieces> value{};
+    for (std::size_t i = 0; i <= n; ++i) {
+      const double share = to_double(a[i][component]);
+      for (std::size_t k = 0; k < pieces; ++k) value[k] += share * preimage_rows[i][k];
+    }
+    for (std::size_t k = 0; k < pieces; ++k) rate[k] += (unit * value[k]) * value[k];
+  }
+  x[pieces] = 1.0;
+  rate[pieces] = unit * to_double(S(speed_form(a.back(), a.back())));
   for (std::size_t k = 0; k < pieces; ++k) {
     const double span = x[k + 1] - x[k];
     begin_[k] = static_cast<float>(x[k]);

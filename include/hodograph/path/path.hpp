@@ -193,6 +193,7 @@ std::optional<Fault> join_fault(const Curve& before, const Curve& after, std::si
   using S = typename Curve::Scalar;
   const auto gap = largest_component(after.start() - before.end());
   S scale = largest_component(before.end());
+  if (gap <= S(accuracy::join_error<S>()) * scale) return std::nullopt;
   for (const Curve* curve : {&before, &after}) {
     for (const auto& c : curve->integral().coefficients()) {
       if (const S size = largest_component(c.displacement); scale < size) scale = size;

@@ -16,11 +16,6 @@
 
 namespace hodograph {
 
-template <std::size_t lanes, class Isa>
-struct RealOf<Pack<lanes, Isa>> {
-  using type = double;
-};
-
 namespace hermite_detail {
 namespace {
 

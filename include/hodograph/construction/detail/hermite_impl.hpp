@@ -7,13 +7,19 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 
 #include "hodograph/construction/detail/hermite_batch.hpp"
 #include "hodograph/construction/detail/hermite_kernel.hpp"
 #include "hodograph/construction/hermite.hpp"
+#if defined(__GNUC__)
+#include "hodograph/foundation/pack.hpp"
+#endif
 
 namespace hodograph {
 namespace hermite_detail {
+
+struct BothEnds {};
 
 /// The power of two c with c² max|p'| in [1/2, 2), or 2^511 where the speeds are subnormal (c²
 /// would overflow): preimages are computed from data scaled by c² and divided by c, so that no
@@ -82,7 +88,6 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
                                    std::size_t index) {
   using std::sqrt;
   using R = real_of_t<S>;
-  const std::string where = "segment " + std::to_string(index);
   const R angle = accuracy::opposite_fibre_angle<S>();
   const S square(scale * scale);
   S size = largest_component((S(1) / h) * (end[0] - begin[0]));
@@ -117,7 +122,7 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
     }
     const double closeness = to_double(segment.closeness);
     return Fault{FaultCode::no_interpolant,
-                 where +
+                 "segment " + std::to_string(index) +
                      ": the displacement asks the curve to turn back on itself (its middle "
                      "fibre is opposite to its neighbours); use shorter segments",
                  index,
@@ -130,7 +135,7 @@ std::optional<Fault> segment_fault(const Segment<S, m>& segment, const HermitePo
   control_speed = control_speed * ratio<S>(1, 2 * static_cast<std::int64_t>(m) + 1);
   if (!(value_of(control_speed) < accuracy::wild_interpolant<S>() * value_of(size))) {
     return Fault{FaultCode::no_interpolant,
-                 where + ": the interpolant would wander " +
+                 "segment " + std::to_string(index) + ": the interpolant would wander " +
                      to_text(to_double(S(control_speed / size))) +
                      " times as far as its data reach; a speed is too small beside its "
                      "derivatives, or the parameter steps do not suit the points",
@@ -150,54 +155,73 @@ BernsteinPolynomial<Quaternion<S>, n> restored(
   return preimage.mapped([&](const Quaternion<S>& a) { return factor * (a * roll); });
 }
 
-/// How far the stored curve's end is from the given displacement, in the largest component, and
-/// the largest component of its displacement coefficients.
+/// How far the stored curve's end is from the given displacement.
 template <class S>
 struct EndMiss {
   Vector3<S> miss;
-  S size, scale;
-  bool is_rounding() const { return !(S(accuracy::settled_end<S>()) * scale < size); }
+  S size;  // its largest component
 };
 template <std::size_t n, class S>
 EndMiss<S> end_miss(const SpatialPhCurve<n, S>& curve, const Vector3<S>& displacement) {
+  const Vector3<S> miss = displacement - curve.integral().back().displacement;
+  return {miss, largest_component(miss)};
+}
+
+/// Whether a miss is at most accuracy::settled_end of the curve's largest displacement coefficient;
+/// most often the last one is large enough to tell.
+template <std::size_t n, class S>
+bool is_settled(const SpatialPhCurve<n, S>& curve, const EndMiss<S>& miss) {
+  const S share(accuracy::settled_end<S>());
   const auto& integral = curve.integral().coefficients();
-  const Vector3<S> miss = displacement - integral.back().displacement;
+  if (miss.size <= share * largest_component(integral.back().displacement)) return true;
   S scale(0);
   for (const auto& c : integral) {
     const S component = largest_component(c.displacement);
     scale = select(scale < component, component, scale);
   }
-  return {miss, largest_component(miss), scale};
+  return !(share * scale < miss.size);
 }
 
-/// The curve of a preimage whose middle coefficient is settled on the stored numbers: the position
-/// polynomial is summed from rounded products, so the end it reaches may miss the datum by more
-/// than it need. While the miss exceeds accuracy::settled_end of the largest displacement, the
-/// middle coefficient takes a Newton step, 2h A_p ⋆ dA = miss; the best of at most four is kept.
-template <std::size_t m, class S>
-Result<SpatialPhCurve<2 * m, S>> settled_curve(const Vector3<S>& start,
-                                               const Vector3<S>& displacement,
-                                               BernsteinPolynomial<Quaternion<S>, 2 * m> preimage,
-                                               const S& h, std::size_t index) {
+/// Settles the middle coefficient of a new curve on the stored numbers: the position polynomial is
+/// summed from rounded products, so the end it reaches may miss the datum by more than it need.
+/// While it is not settled, the middle coefficient takes a Newton step, 2h A_p ⋆ dA = miss; the
+/// best of at most four is kept. A Fault where the curve's numbers overflow.
+template <std::size_t n, class S>
+std::optional<Fault> settle(SpatialPhCurve<n, S>& curve, const Vector3<S>& displacement,
+                            std::size_t index) {
   constexpr int most_steps = 4;
+  constexpr std::size_t m = n / 2;
+  if (!is_finite(curve.end()) || !is_finite(curve.arc_length())) return range_fault(index);
+  EndMiss<S> best = end_miss(curve, displacement);
+  if (is_settled(curve, best)) return std::nullopt;
   const auto& t = tables<S, m>();
-  SpatialPhCurve<2 * m, S> best(start, preimage, h);
-  if (!is_finite(best.end()) || !is_finite(best.arc_length())) return range_fault(index);
-  EndMiss<S> best_miss = end_miss(best, displacement), miss = best_miss;
-  for (int step = 0; step < most_steps && !best_miss.is_rounding(); ++step) {
+  const S h = curve.parameter_step();
+  auto preimage = curve.preimage();
+  EndMiss<S> miss = best;
+  for (int step = 0; step < most_steps && !is_settled(curve, best); ++step) {
     Quaternion<S> moment{};
-    for (std::size_t i = 0; i <= 2 * m; ++i) {
-      moment = moment + S(t.full_moment[i]) * preimage[i];
-    }
+    for (std::size_t i = 0; i <= n; ++i) moment = moment + S(t.full_moment[i]) * preimage[i];
     preimage[m] += solve_linear((S(0.5) / h) * miss.miss, moment, S(1) / dot(moment, moment), S(0));
-    const SpatialPhCurve<2 * m, S> curve(start, preimage, h);
-    miss = end_miss(curve, displacement);
-    if (miss.size < best_miss.size) {
-      best_miss = miss;
-      best = curve;
+    const SpatialPhCurve<n, S> next(curve.start(), preimage, h);
+    miss = end_miss(next, displacement);
+    if (miss.size < best.size) {
+      best = miss;
+      curve = next;
     }
   }
-  return best;
+  return std::nullopt;
+}
+
+/// The curve of a finished segment with the given ends, its preimage brought back to the data's own
+/// scale.
+template <std::size_t m, class S>
+Result<SpatialPhCurve<2 * m, S>> settled_curve(const HermitePoint<m, S>& begin,
+                                               const HermitePoint<m, S>& end, const S& h,
+                                               const Segment<S, m>& segment, double scale) {
+  Result<SpatialPhCurve<2 * m, S>> curve(std::in_place, begin[0], S(1.0 / scale) * segment.preimage,
+                                         h);
+  if (auto fault = settle(*curve, end[0] - begin[0], 0)) curve = *std::move(fault);
+  return curve;
 }
 
 /// A quaternion U with U i U* along v_b + v_e: the reference of the standard form. Along the chord
@@ -292,14 +316,13 @@ double prescale_of(std::span<const HermitePoint<m, S>> points) {
   return prescale<S>(largest);
 }
 
-/// One segment between shared end jets; a Fault where it does not exist.
+/// The segment between two end jets; a Fault where it does not exist.
 template <std::size_t m, class S>
-Result<Segment<S, m>> checked_segment(const HermitePoint<m, S>& begin,
-                                      const HermitePoint<m, S>& end, const EndJet<S, m>& start_jet,
-                                      const EndJet<S, m>& end_jet, const S& h, double scale,
-                                      HermiteChoice choice, std::size_t index) {
+std::optional<Fault> make_segment(const HermitePoint<m, S>& begin, const HermitePoint<m, S>& end,
+                                  const EndJet<S, m>& start_jet, const EndJet<S, m>& end_jet,
+                                  const S& h, double scale, HermiteChoice choice, std::size_t index,
+                                  Segment<S, m>& segment) {
   const Vector3<S> mean_velocity = (S(scale * scale) / h) * (end[0] - begin[0]);
-  Segment<S, m> segment;
   if (choice == HermiteChoice::order_ten) {
     segment = twist_free_segment<S, m>(start_jet, end_jet, h, mean_velocity);
   } else {
@@ -307,16 +330,50 @@ Result<Segment<S, m>> checked_segment(const HermitePoint<m, S>& begin,
     if (!reference) return no_reference_fault(index);
     segment = reference_segment<S, m>(start_jet, end_jet, h, mean_velocity, *reference, {}, {}, {});
   }
-  if (auto fault = segment_fault<m, S>(segment, begin, end, h, scale, index)) return *fault;
-  return segment;
+  return segment_fault<m, S>(segment, begin, end, h, scale, index);
 }
 
+/// The end jet at a point whose data are fit for it.
+template <std::size_t m, class S>
+EndJet<S, m> jet_at(const Vector3<S>* derivatives, HermiteChoice choice) {
+  return choice == HermiteChoice::order_ten ? end_jet<m, S>(derivatives, RotationMinimising{})
+                                            : end_jet<m, S>(derivatives, ZeroTau{});
+}
 template <std::size_t m, class S>
 EndJet<S, m> checked_jet(const HermitePoint<m, S>& point, double scale, HermiteChoice choice) {
-  const auto derivatives = scaled_derivatives<m, S>(point, scale);
-  return choice == HermiteChoice::order_ten
-             ? end_jet<m, S>(derivatives.data(), RotationMinimising{})
-             : end_jet<m, S>(derivatives.data(), ZeroTau{});
+  return jet_at<m, S>(scaled_derivatives<m, S>(point, scale).data(), choice);
+}
+
+/// The jets at both ends; for double the two go through the arithmetic side by side.
+template <class S, std::size_t m>
+struct EndJets {
+  EndJet<S, m> start, end;
+};
+template <std::size_t m, class S>
+EndJets<S, m> checked_jets(const HermitePoint<m, S>& begin, const HermitePoint<m, S>& end,
+                           double scale, HermiteChoice choice) {
+#if defined(__GNUC__)  // GCC and Clang: vector extensions
+  if constexpr (std::is_same_v<S, double>) {
+    using Both = Pack<2, BothEnds>;
+    const Both square(scale * scale);
+    std::array<Vector3<Both>, m> derivatives;
+    for (std::size_t r = 0; r < m; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        derivatives[r][c] = square * Both(Both::Lanes{begin[r + 1][c], end[r + 1][c]});
+      }
+    }
+    const EndJet<Both, m> both = jet_at<m, Both>(derivatives.data(), choice);
+    EndJets<S, m> result;
+    for (std::size_t r = 0; r < m; ++r) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        result.start[r][c] = both[r][c][0];
+        result.end[r][c] = both[r][c][1];
+      }
+    }
+    return result;
+  }
+#endif
+  return {checked_jet<m, S>(begin, scale, choice), checked_jet<m, S>(end, scale, choice)};
 }
 
 /// The segments of a path in order, computed in batches where that is faster.
@@ -327,25 +384,26 @@ class SegmentSequence {
                   double scale, HermiteChoice choice)
       : knots_(knots), points_(points), scale_(scale), choice_(choice) {}
 
-  /// Segment k; to be asked in order, for knots that increase up to k + 1.
-  Result<Segment<S, m>> at(std::size_t k) {
+  /// Makes segment k; to be asked in order, for knots that increase up to k + 1.
+  std::optional<Fault> make(std::size_t k) {
     if constexpr (batched) {
       if (choice_ == HermiteChoice::order_ten) return from_batch(k);
     }
-    const EndJet<S, m> start = k == 0 ? jet_at(0) : next_;
-    next_ = jet_at(k + 1);
-    return checked_segment<m, S>(points_[k], points_[k + 1], start, next_,
-                                 knots_[k + 1] - knots_[k], scale_, choice_, k);
+    const EndJet<S, m> start = k == 0 ? jet(0) : next_;
+    next_ = jet(k + 1);
+    current_ = 0;
+    return make_segment<m, S>(points_[k], points_[k + 1], start, next_, knots_[k + 1] - knots_[k],
+                              scale_, choice_, k, segments_[0]);
   }
+  /// The segment made last.
+  const Segment<S, m>& segment() const { return segments_[current_]; }
 
  private:
   static constexpr bool batched = std::is_same_v<S, double> && m == 4;
 
-  EndJet<S, m> jet_at(std::size_t k) const {
-    return checked_jet<m, S>(points_[k], scale_, choice_);
-  }
+  EndJet<S, m> jet(std::size_t k) const { return checked_jet<m, S>(points_[k], scale_, choice_); }
 
-  Result<Segment<S, m>> from_batch(std::size_t k) {
+  std::optional<Fault> from_batch(std::size_t k) {
     if (k >= batch_end_) {
       std::array<double, longest_batch> steps;
       std::size_t count = 0;
@@ -353,16 +411,14 @@ class SegmentSequence {
         steps[count] = knots_[k + count + 1] - knots_[k + count];
         ++count;
       }
-      twist_free_segments(points_.data() + k, steps.data(), scale_ * scale_, count, batch_.data());
+      twist_free_segments(points_.data() + k, steps.data(), scale_ * scale_, count,
+                          segments_.data());
       batch_begin_ = k;
       batch_end_ = k + count;
     }
-    const Segment<S, m>& segment = batch_[k - batch_begin_];
-    if (auto fault = segment_fault<m, S>(segment, points_[k], points_[k + 1],
-                                         knots_[k + 1] - knots_[k], scale_, k)) {
-      return *fault;
-    }
-    return segment;
+    current_ = k - batch_begin_;
+    return segment_fault<m, S>(segment(), points_[k], points_[k + 1], knots_[k + 1] - knots_[k],
+                               scale_, k);
   }
 
   std::span<const S> knots_;
@@ -370,8 +426,8 @@ class SegmentSequence {
   double scale_;
   HermiteChoice choice_;
   EndJet<S, m> next_{};
-  std::size_t batch_begin_ = 0, batch_end_ = 0;
-  std::array<Segment<S, m>, (batched ? longest_batch : 1)> batch_;
+  std::size_t batch_begin_ = 0, batch_end_ = 0, current_ = 0;
+  std::array<Segment<S, m>, (batched ? longest_batch : 1)> segments_;
 };
 
 }  // namespace hermite_detail
@@ -384,12 +440,13 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
   if (auto fault = ends_fault<m, S>(begin, end, h)) return *fault;
   const std::array<HermitePoint<m, S>, 2> points{begin, end};
   const double scale = prescale_of<m, S>(points);
-  const auto segment =
-      checked_segment<m, S>(begin, end, checked_jet<m, S>(begin, scale, choice),
-                            checked_jet<m, S>(end, scale, choice), h, scale, choice, 0);
-  if (!segment) return segment.fault();
-  return settled_curve<m, S>(begin[0], end[0] - begin[0],
-                             restored(segment->preimage, Roll<S>{}, scale), h, 0);
+  const auto jets = checked_jets<m, S>(begin, end, scale, choice);
+  Segment<S, m> segment;
+  if (auto fault =
+          make_segment<m, S>(begin, end, jets.start, jets.end, h, scale, choice, 0, segment)) {
+    return *std::move(fault);
+  }
+  return settled_curve<m, S>(begin, end, h, segment, scale);
 }
 
 template <std::size_t m, class S>
@@ -420,8 +477,7 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
       start_jet, far_jet, h, mean_velocity, *reference, turn(parameters.theta_begin),
       turn(parameters.theta_middle), turn(parameters.theta_end));
   if (auto fault = segment_fault<m, S>(segment, begin, end, h, scale, 0)) return *fault;
-  return settled_curve<m, S>(begin[0], end[0] - begin[0],
-                             restored(segment.preimage, Roll<S>{}, scale), h, 0);
+  return settled_curve<m, S>(begin, end, h, segment, scale);
 }
 
 template <std::size_t m, class S>
@@ -464,13 +520,11 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
                         to_text(to_double(knots[k + 1])) + " after " + to_text(to_double(knots[k]));
       return *fault;
     }
-    const auto segment = sequence.at(k);
-    if (!segment) return segment.fault();
-    auto curve = settled_curve<m, S>(points[k][0], points[k + 1][0] - points[k][0],
-                                     restored(segment->preimage, roll, scale), h, k);
-    if (!curve) return curve.fault();
-    segments.push_back(std::move(*curve));
-    const Roll<S> q = segment->roll;
+    if (auto fault = sequence.make(k)) return *std::move(fault);
+    const Segment<S, m>& segment = sequence.segment();
+    segments.emplace_back(points[k][0], restored(segment.preimage, roll, scale), h);
+    if (auto fault = settle(segments.back(), points[k + 1][0] - points[k][0], k)) return *fault;
+    const Roll<S>& q = segment.roll;
     roll = {roll.cosine * q.cosine - roll.sine * q.sine,
             roll.cosine * q.sine + roll.sine * q.cosine};
     const S size = sqrt(roll.cosine * roll.cosine + roll.sine * roll.sine);
