@@ -47,9 +47,10 @@ struct CurvatureRounding {
   static constexpr double slope = speed * turning_rate_size + turning_rate +
                                   2 * m * turning_rate_size + 2 * turning * speed_rate_size +
                                   2 * speed_rate + 2 * (2 * m + 1) * speed_rate_size + slope_size;
-  /// Evaluation adds accuracy::evaluation_error = (3 degree + 2) u.
-  static constexpr double turning_value = turning + 6 * (m - 1) + 2;
-  static constexpr double speed_value = speed + 6 * m + 2;
+  /// w and w'/n at a point by de Casteljau's algorithm, in units of u and the square root of M: a
+  /// component passes 3 roundings a level, n levels (n - 1, twice, and a difference of at most 2
+  /// for the rate); both components together are at most √2 times as far off.
+  static constexpr double value = 1.5 * 3 * m, rate = 1.5 * (6 * (m - 1) + 2);
   /// σ², of degree 4n; an elevated τ, whose weights are those of a product with 1.
   static constexpr double squared_speed = 2 * speed + 2 * m + 7;
   static constexpr double elevated_turning = turning + 2 * m + 1;
@@ -68,7 +69,8 @@ class QuickCurvature {
   static constexpr std::size_t degree = curvature_slope_degree(n);
 
   explicit QuickCurvature(const PhCurve<Complex<double>, n>& curve)
-      : step_(curve.parameter_step()),
+      : preimage_(curve.preimage()),
+        step_(curve.parameter_step()),
         turning_(turning_polynomial(curve.preimage())),
         speed_(planar_speed(curve.preimage())),
         // The largest re² + im² of the coefficients: speed_bound(), 2 roundings from it.
@@ -76,16 +78,15 @@ class QuickCurvature {
     // Sixth powers of sizes and a quotient of them stay in range.
     constexpr double small = 0x1.0p-100, large = 0x1.0p+100;
     in_range_ = size_ > small && size_ < large && step_ > small && step_ < large;
-    turning_error_ = Rounding::turning * unit * size_;
-    speed_error_ = Rounding::speed * unit * size_;
+    root_size_ = std::sqrt(size_) * Rounding::whole;
   }
 
   /// The extremes of κ: exact up to a few thousand roundings, or nothing.
   std::optional<Extremes> extremes() const {
     if (!in_range_) return std::nullopt;
     Found found;
-    const bool ends = note(found, turning_.front(), speed_.front(), turning_error_, speed_error_) &&
-                      note(found, turning_.back(), speed_.back(), turning_error_, speed_error_);
+    const bool ends = note_end(found, turning_.front(), speed_.front()) &&
+                      note_end(found, turning_.back(), speed_.back());
     if (!ends || !search(found)) return std::nullopt;
     return finished(found);
   }
@@ -158,18 +159,38 @@ class QuickCurvature {
     return true;
   }
 
+  /// The same at an end, where σ = |w_0|² and τ = Im(w_0* w_1): 2 roundings of their terms.
+  bool note_end(Found& found, double turning, double speed) const {
+    constexpr double error = 3.0 * unit;
+    return note(found, turning, speed, error * std::sqrt(speed * size_), error * speed);
+  }
+
   /// The same at u, with τ/σ² within `reach` of u as well: |d(τ/σ²)/du| ≤ rate/σ³ there. Over the
-  /// reach σ changes by at most 4nM reach: no more than 1/32 of it, and its error is no more than
-  /// 1/8 of it, else nothing is said.
+  /// reach |w| changes by at most 2nM^(1/2) reach: no more than 1/64 of it, and neither is its
+  /// error, else nothing is said.
   bool note_near(Found& found, double u, double reach, double rate) const {
-    const double speed = speed_.value(u);
-    const double speed_error = Rounding::speed_value * unit * size_;
-    constexpr double share = 0x1.0p-5;  // of σ
-    if (!(Rounding::speed_rate_size * size_ * reach <= share * speed)) return false;
+    std::array<Complex<double>, n + 1> w = preimage_.coefficients();
+    const double v = 1.0 - u;
+#pragma GCC unroll 64
+    for (std::size_t level = n; level > 1; --level) {
+#pragma GCC unroll 64
+      for (std::size_t i = 0; i < level; ++i) w[i] = v * w[i] + u * w[i + 1];
+    }
+    const Complex<double> value = v * w[0] + u * w[1], slope = w[1] - w[0];
+    const double speed = dot(value, value), size = std::sqrt(speed);
+    const double value_error = Rounding::value * unit * root_size_;
+    const double slope_error = Rounding::rate * unit * root_size_;
+    constexpr double share = 0x1.0p-6;  // of |w|
+    const double change = 2.0 * static_cast<double>(n) * root_size_ * reach;
+    if (!(change <= share * size && value_error <= share * size)) return false;
+    const double slope_size = std::sqrt(dot(slope, slope)) + slope_error;
+    const double turning_error = Rounding::whole * ((size + value_error) * slope_error +
+                                                    slope_size * (value_error + 3.0 * unit * size));
+    const double speed_error = Rounding::whole * (3.0 * value_error + 3.0 * unit * size) * size;
     const double r = 1.0 / speed;
-    constexpr double growth = 2.0;  // (1 - 1/8 - 1/32)^-3 < 1.7, and roundings
-    return note(found, turning_.value(u), speed, Rounding::turning_value * unit * size_,
-                speed_error, growth * reach * rate * r * r * r);
+    constexpr double growth = 1.5;  // (1 - 2/64)^-6 < 1.3, and roundings
+    return note(found, cross(value, slope), speed, turning_error, speed_error,
+                growth * reach * rate * r * r * r);
   }
 
   /// Finds the zeros of f and takes notice of κ at each; false where it gives up.
@@ -251,45 +272,49 @@ class QuickCurvature {
   }
 
   /// The one zero of f on a piece whose coefficients change sign once: bracketed by certain signs,
-  /// and κ noted there. With |f'| ≤ D on the piece, |f| ≤ D δ within a bracket of length δ.
+  /// and κ noted there. Newton's steps, kept inside the bracket. Within δ of the zero |f| ≤ δ
+  /// max|f'|, and within δ of t |f'| ≤ |f'(t)| + δ max|f''|.
   bool note_zero(Found& found, const Piece& piece) const {
     const Coefficients& c = piece.c;
     const double direction = c[degree] > 0.0 ? 1.0 : -1.0;
-    double size = 0.0, rise = 0.0;
+    double size = 0.0, bend = 0.0;
     std::size_t change = 0;
     for (std::size_t i = 0; i < degree; ++i) {
       size = std::max(size, std::abs(c[i]));
-      rise = std::max(rise, std::abs(c[i + 1] - c[i]));
       if (direction * c[i] <= 0.0 && direction * c[i + 1] > 0.0) change = i;
     }
     size = std::max(size, std::abs(c[degree]));
-    const double error = piece.error + (3.0 * static_cast<double>(degree) + 4.0) * unit * size;
-    double t = (static_cast<double>(change) + c[change] / (c[change] - c[change + 1])) /
-               static_cast<double>(degree);
+    for (std::size_t i = 0; i + 2 <= degree; ++i) {
+      bend = std::max(bend, std::abs((c[i + 2] - c[i + 1]) - (c[i + 1] - c[i])));
+    }
+    constexpr double d = static_cast<double>(degree);
+    const double bend_bound = d * (d - 1.0) * (bend + 4.0 * piece.error);
+    const double error = piece.error + (3.0 * d + 4.0) * unit * size;
+    double t = (static_cast<double>(change) + c[change] / (c[change] - c[change + 1])) / d;
     double low = 0.0, high = 1.0;
-    // Newton's steps, kept inside the bracket; each squares the error.
-    constexpr double close = 0x1.0p-12, beside = 0x1.0p-23;
-    for (int step = 0; step < 12; ++step) {
+    constexpr double close = 0x1.0p-21;  // the remainder is about the square of it
+    constexpr int most_steps = 16;
+    for (int step = 0; step < most_steps; ++step) {
       const auto [value, rate] = value_and_rate(c, t);
       if (direction * value > error) high = t;
       if (direction * value < -error) low = t;
-      double next = t - value / rate;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const double moved = std::abs(next - t);
+      const double slope = std::abs(rate), next = t - value / rate;
+      if (!(next > low && next < high)) {
+        t = 0.5 * (low + high);
+        continue;
+      }
+      // At next ± reach, at most 2m from t, f has the signs of its tangent at t if that exceeds
+      // 2 max|f''| m², the error of the value and the error of the slope over 2m.
+      const double m = std::abs(next - t) + 4.0 * error / slope;
+      const double doubt = 2.0 * bend_bound * m * m + error * (1.0 + 4.0 * d * m);
+      const double reach = Rounding::whole * doubt / slope;
       t = next;
-      if (moved < close) break;
-    }
-    double reach = beside;
-    for (int widening = 0; widening < 4; ++widening, reach *= 16.0) {
-      const double a = t - reach, b = t + reach;
-      const bool before = a <= low || direction * value_and_rate(c, a)[0] < -error;
-      const bool after = b >= high || direction * value_and_rate(c, b)[0] > error;
-      if (!before || !after) continue;
+      if (!(reach <= m && reach <= close)) continue;
       // u = a + length t is rounded twice; the zero is within reach of t, and so is u.
       const double within = reach * piece.length + 2.0 * epsilon<double>();
-      const double rate =
-          static_cast<double>(degree) * (rise + 2.0 * piece.error) * (within / piece.length);
-      return note_near(found, std::min(1.0, piece.a + piece.length * t), within, rate);
+      const double most_slope = slope + 2.0 * d * error + (m + 2.0 * reach) * bend_bound;
+      return note_near(found, std::min(1.0, piece.a + piece.length * t), within,
+                       most_slope * (within / piece.length));
     }
     return false;
   }
@@ -365,10 +390,11 @@ class QuickCurvature {
     return Answer::yes;
   }
 
+  BernsteinPolynomial<Complex<double>, n> preimage_;
   double step_;
   BernsteinPolynomial<double, turning_degree(n)> turning_;
   BernsteinPolynomial<double, 2 * n> speed_;
-  double size_, turning_error_ = 0.0, speed_error_ = 0.0;
+  double size_, root_size_ = 0.0;  ///< M and its square root
   bool in_range_ = false;
 };
 
