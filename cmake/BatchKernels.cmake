@@ -20,5 +20,6 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID
   hodograph_kernels(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/src/path/kernel_dispatch.cpp"
     "${PROJECT_SOURCE_DIR}/src/construction/hermite_batch.cpp"
+    "${PROJECT_SOURCE_DIR}/src/construction/planar_batch.cpp"
     PROPERTIES COMPILE_DEFINITIONS HODOGRAPH_X86_KERNELS=1)
 endif()

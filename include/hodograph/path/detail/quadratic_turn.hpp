@@ -14,8 +14,8 @@
 
 namespace hodograph::path_detail {
 
-/// On a piece where arg w is monotone: the turn, between 0 and 2π, as a number on the unit circle's
-/// inscribed square and in quarter turns, rough (to 0.05), and whether it is to the left.
+/// On a piece where arg w is monotone: the turn, between 0 and 2π, as a complex number of that
+/// argument and as the middle of its quadrant, in quarter turns, and whether it is to the left.
 template <class S>
 struct MonotoneTurn {
   Complex<S> direction;
@@ -48,13 +48,9 @@ template <class S>
   constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
   const auto beyond = ((first < zero || second < zero) && left < zero) ||
                       (first < zero && second < zero && left <= S(rounding) * along);
-  const S size = abs(along) + abs(across);
-  // Below this the reciprocal would overflow: w vanishes at an end.
-  constexpr double least_size = 0x1.0p-1020;
-  const auto visible = S(least_size) < size;
-  const S scale = one / select(visible, size, one);
-  const S x = select(visible, along * scale, one), y = select(visible, abs(across) * scale, zero);
-  const S quarters = one - x;
+  const auto nothing = abs(along) + abs(across) <= zero;
+  const S x = select(nothing, one, along), y = abs(across);
+  const S quarters = select(x < zero, S(1.5), S(0.5));
   return {{x, select(beyond, -y, y)}, select(beyond, S(4.0) - quarters, quarters), sign};
 }
 
@@ -79,18 +75,20 @@ template <class S>
   const S u1 = select(inside_1, q / select(inside_1, q + h2, one), zero);
   const S u2 = select(inside_2, h0 / select(inside_2, h0 + q, one), zero);
   const S a = select(u1 < u2, u1, u2), b = select(u1 < u2, u2, u1);
-  const auto blossom = [&](const S& s, const S& t) {
-    const S p0 = (one - s) * (one - t), p1 = (one - s) * t + s * (one - t), p2 = s * t;
-    return Complex<S>{(p0 * w0.re + p2 * w2.re) + p1 * w1.re,
-                      (p0 * w0.im + p2 * w2.im) + p1 * w1.im};
+  // De Casteljau's points for a and b; (1-b) left + b right of a is the blossom w(a, b).
+  const auto between = [&](const S& u, const Complex<S>& from, const Complex<S>& to) {
+    const S v = one - u;
+    return Complex<S>{v * from.re + u * to.re, v * from.im + u * to.im};
   };
-  const Complex<S> at_a = blossom(a, a), at_b = blossom(b, b);
-  return {monotone_turn(w0, blossom(zero, a), at_a), monotone_turn(at_a, blossom(a, b), at_b),
-          monotone_turn(at_b, blossom(b, one), w2)};
+  const Complex<S> left_a = between(a, w0, w1), right_a = between(a, w1, w2);
+  const Complex<S> left_b = between(b, w0, w1), right_b = between(b, w1, w2);
+  const Complex<S> at_a = between(a, left_a, right_a), at_b = between(b, left_b, right_b);
+  return {monotone_turn(w0, left_a, at_a), monotone_turn(at_a, between(b, left_a, right_a), at_b),
+          monotone_turn(at_b, right_b, w2)};
 }
 
-/// The turns in sequence: one arc tangent gives their sum modulo 2π, the rough sum, wrong by less
-/// than 0.3 radians, the multiple.
+/// The turns in sequence: one arc tangent gives their sum modulo 2π; the sum of the middles of
+/// their quadrants, wrong by at most 3/4 π, the multiple.
 template <class S>
 [[gnu::always_inline]] inline S sum_of_turns(const std::array<MonotoneTurn<S>, 3>& turns,
                                              bool left_positive) {
@@ -119,7 +117,7 @@ template <class S>
 
 /// The sum of the turns of w, both ways round counted positive, between 0 and 2π; 0 where the w_i
 /// are parallel within rounding, whether w changes its sign or not. Within 16 ε where w is well
-/// away from zero. Domain: the squares of the components are in range.
+/// away from zero. Domain: the components that are not 0 are between 2^-150 and 2^150 in size.
 template <class S>
 [[gnu::always_inline]] inline S absolute_turn(const Complex<S>& w0, const Complex<S>& w1,
                                               const Complex<S>& w2) {

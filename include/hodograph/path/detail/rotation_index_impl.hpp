@@ -60,6 +60,8 @@ class TurnBySubdivision {
   // A piece of this length that w still turns about by more than a right angle holds a zero of w
   // within rounding.
   static constexpr int deepest = 52;
+  // Far more than a few roots need: reached where numbers vanish below the range of double.
+  static constexpr int most_parts = 4096;
 
   void add(const Preimage& w, const Rate& rate, int depth) {
     int changes = 0;
@@ -83,7 +85,7 @@ class TurnBySubdivision {
         signed_ += turn;
         return;
       }
-    } else if (depth >= deepest) {
+    } else if (depth >= deepest || ++parts_ > most_parts) {
       return;
     }
     const auto parts = halves(w);
@@ -113,6 +115,7 @@ class TurnBySubdivision {
   }
 
   double absolute_ = 0.0, signed_ = 0.0;
+  int parts_ = 0;
 };
 
 /// The preimage times a power of two, its largest component between 1/2 and 1.

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Planar constructions, one problem in each lane; included by one source file for every instruction
+// set, which defines HODOGRAPH_KERNEL_ISA (a namespace) and HODOGRAPH_KERNEL_LANES. The arithmetic
+// is construction/detail/planar_hermite_kernel.hpp and prescribed_length_kernel.hpp, run on packs
+// of types of this file alone.
+#pragma once
+
+#include <cstddef>
+
+#include "hodograph/construction/detail/prescribed_length_kernel.hpp"
+#include "hodograph/foundation/pack.hpp"
+
+#if !defined(HODOGRAPH_KERNEL_ISA) || !defined(HODOGRAPH_KERNEL_LANES)
+#error "define the instruction set and the number of lanes first"
+#endif
+
+namespace hodograph::planar_detail {
+namespace {
+
+struct ThisFile {};
+constexpr std::size_t lanes = HODOGRAPH_KERNEL_LANES;
+using P = Pack<lanes, ThisFile>;
+
+/// Runs `solve` on rows of numbers in columns of lanes, to rows of 8; the first row fills up.
+template <std::size_t width, class Solve>
+[[gnu::always_inline]] inline void run(const double* in, std::size_t count, double* out,
+                                       const Solve& solve) {
+  for (std::size_t first = 0; first < count; first += lanes) {
+    const std::size_t here = count - first < lanes ? count - first : lanes;
+    alignas(64) double given[width][lanes];
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double* row = in + width * (first + (i < here ? i : 0));
+      for (std::size_t c = 0; c < width; ++c) given[c][i] = row[c];
+    }
+    P numbers[width];
+    for (std::size_t c = 0; c < width; ++c) numbers[c] = P::load(given[c]);
+    P results[8];
+    solve(numbers, results);
+    alignas(64) double columns[8][lanes];
+    for (std::size_t c = 0; c < 8; ++c) results[c].store(columns[c]);
+    for (std::size_t i = 0; i < here; ++i) {
+      for (std::size_t c = 0; c < 8; ++c) out[8 * (first + i) + c] = columns[c][i];
+    }
+  }
+}
+
+[[gnu::always_inline]] inline void hermite(const P* in, P* out) {
+  const auto found = solve_hermite<P>({in[0], in[1]}, {in[2], in[3]}, {in[4], in[5]});
+  const LeastTurn<P> best = least_turn(found);
+  out[0] = found.w0.re;
+  out[1] = found.w0.im;
+  out[2] = best.w1.re;
+  out[3] = best.w1.im;
+  out[4] = best.w2.re;
+  out[5] = best.w2.im;
+  out[6] = best.turn;
+  out[7] = best.next;
+}
+
+[[gnu::always_inline]] inline void prescribed_length(const P* in, P* out) {
+  const auto ends = canonical_ends<P>({in[0], in[1]}, {in[2], in[3]}, {in[4], in[5]});
+  const auto found = solve_length<P>(ends.s, ends.e, in[6] + ends.chord,
+                                     excess_of<P>(in[6], {in[4], in[5]}, ends.chord));
+  const auto second = found.turn[1] < found.turn[0];
+  const Complex<P> w1{select(second, found.w1[1].re, found.w1[0].re),
+                      select(second, found.w1[1].im, found.w1[0].im)};
+  const Complex<P> placed[3] = {ends.turn * found.w0, ends.turn * w1, ends.turn * found.w2};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out[2 * i] = placed[i].re;
+    out[2 * i + 1] = placed[i].im;
+  }
+  out[6] = select(second, found.turn[1], found.turn[0]);
+  out[7] = select(second, found.turn[0], found.turn[1]);
+}
+
+constexpr std::size_t few = lanes < 4 ? lanes : 4;
+using Few = Pack<few, ThisFile>;
+
+}  // namespace
+
+namespace HODOGRAPH_KERNEL_ISA {
+
+void hermite_run(const double* in, std::size_t count, double* out);
+void hermite_run(const double* in, std::size_t count, double* out) {
+  run<6>(in, count, out, [](const P* i, P* o) { hermite(i, o); });
+}
+void prescribed_length_run(const double* in, std::size_t count, double* out);
+void prescribed_length_run(const double* in, std::size_t count, double* out) {
+  run<7>(in, count, out, [](const P* i, P* o) { prescribed_length(i, o); });
+}
+
+void four_turns_run(const double* in, double* turns);
+void four_turns_run(const double* in, double* turns) {
+  for (std::size_t i = 0; i < 4; i += few) {
+    const double* from = in + 2 + i;
+    path_detail::absolute_turn<Few>({in[0], in[1]}, {Few::load(from), Few::load(from + 4)},
+                                    {Few::load(from + 8), Few::load(from + 12)})
+        .store(turns + i);
+  }
+}
+
+}  // namespace HODOGRAPH_KERNEL_ISA
+}  // namespace hodograph::planar_detail
