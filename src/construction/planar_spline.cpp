@@ -157,14 +157,18 @@ std::optional<Fault> set_up(const Nodes& nodes, const PlanarSplineOptions& optio
   const double scale = std::ldexp(1.0, -exponent);  // twice: 4^-exponent may be out of range
   for (std::size_t i = 0; i < size; ++i) {
     Number& target = problem.target[i];
-    target = 15.0 * (scale * (scale * target));
-    if (!uniform) target = {target.re / problem.step[i], target.im / problem.step[i]};
+    if (uniform) {
+      target = 15.0 * (scale * (scale * target));
+    } else {
+      target = 15.0 * Number{target.re / problem.step[i], target.im / problem.step[i]};
+    }
   }
   if (!uniform) {
     problem.weight.resize(size + 1, 0.5);
     for (std::size_t k = 0; k <= size; ++k) {
       if (!options.closed && (k == 0 || k == size)) continue;
-      const double before = problem.step[(k + size - 1) % size], after = problem.step[k % size];
+      const double before = k > 0 ? problem.step[k - 1] : problem.step.back();
+      const double after = k < size ? problem.step[k] : problem.step.front();
       problem.weight[k] = after / (before + after);
     }
   }
@@ -314,6 +318,12 @@ Result<PlanarSpline> planar_spline(std::span<const Vector2<double>> points,
   solved.solution.z = {};
   auto path = PlanarPath<2>::create(std::move(solved.knots), std::move(curves), options.closed);
   if (!path) return path.fault();
+  if (!is_finite(path->arc_length())) {
+    return Fault{
+        FaultCode::not_finite, "the curve is longer than a double can hold; scale the points down",
+        std::nullopt,          "arc_length",
+        path->arc_length(),    std::nullopt};
+  }
   if (options.with_energy) {
     const auto energy = bending_energy(*path);
     solved.report.energy = energy ? *energy : std::numeric_limits<double>::infinity();

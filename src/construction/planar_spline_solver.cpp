@@ -24,7 +24,7 @@ constexpr double nearly_settled = 1e-7;  // its square is below settled_misfit
 /// A step must lower the merit by this share of what the linear model promises.
 constexpr double least_descent = 0.1;
 constexpr int most_halvings = 14;
-constexpr std::size_t most_steps = 60;
+constexpr std::size_t most_steps = 30;
 /// A span's influence on its neighbours decays at least by 0.2 a span where the data are tame:
 /// this many spans around a place, and what is beyond does not matter to 1e-7.
 constexpr std::size_t radius = 10;
