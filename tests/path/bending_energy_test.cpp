@@ -130,6 +130,38 @@ TEST(BendingEnergy, IsNarrowOnTameCurves) {
   }
 }
 
+TEST(BendingEnergy, FractionsAgreeWithTheEnclosureOrSayNothing) {
+  Random random("bending energy: fractions");
+  int said = 0;
+  const auto check = [&](const auto& w) {
+    const auto value = path_detail::energy_by_fractions(w);
+    if (!value) return;
+    constexpr std::size_t n = std::remove_cvref_t<decltype(w)>::degree;
+    const auto truth = bending_energy_enclosure(path_of(w));
+    ASSERT_TRUE(truth.has_value());
+    ++said;
+    EXPECT_CLOSE(
+        4.0 * n * n * *value, truth->middle(),
+        1024 + 2 * truth->width() / truth->middle() / std::numeric_limits<double>::epsilon(),
+        truth->middle());
+  };
+  for (int i = 0; i < 500; ++i) {
+    check(test::wild_preimage<Complex<double>, 2>(random));
+    check(test::tame_preimage<Complex<double>, 2>(random));
+    check(test::wild_preimage<Complex<double>, 1>(random));
+    // Roots near a double one, near conjugates, near the curve.
+    const double small = std::exp2(random.uniform(-40.0, -1.0));
+    const Complex<double> a = random.complex(1.0), one{1.0, 0.0};
+    for (const Complex<double>& b :
+         {a + small * random.complex(1.0), conjugate(a) + small * random.complex(1.0),
+          Complex<double>{a.re, small}}) {
+      check(BernsteinPolynomial<Complex<double>, 2>(
+          {a * b, -0.5 * ((one - a) * b + (one - b) * a), (one - a) * (one - b)}));
+    }
+  }
+  EXPECT_GT(said, 500);
+}
+
 TEST(BendingEnergy, ScalesWithTheInverseOfLength) {
   Random random("bending energy: scale");
   const auto w = test::tame_preimage<Complex<double>, 2>(random);
