@@ -55,7 +55,7 @@ Result<S> sum_over_segments(const PlanarPath<n>& path, const Energy& energy) {
 /// Exactly 0 for a curve that is exactly straight.
 /// Faults: zero_speed where σ may vanish on a curve that is not straight, within rounding: the
 /// integral is infinite unless h vanishes there as well.
-/// Method: path/detail/energy_integral.hpp. Cost: some 10 µs for a quintic.
+/// Method: path/detail/energy_integral.hpp. Cost: 20 to 60 µs for a quintic.
 template <std::size_t n>
 Result<Enclosure> bending_energy_enclosure(const PhCurve<Complex<double>, n>& curve) {
   if constexpr (n == 0) {
@@ -86,7 +86,8 @@ Result<Enclosure> bending_energy_enclosure(const PlanarPath<n>& path) {
 /// Method: for cubics and quintics partial fractions over the roots of w, in closed form, where an
 /// estimate says that they keep their digits (roots near the curve, simple, and neither near the
 /// conjugate of the other); else, and in higher degrees, Gauss-Legendre quadrature on pieces chosen
-/// by the distance of the roots. Cost: 0.2 to 1.5 µs for a quintic.
+/// by the distance of the roots. Cost: 0.2 to 1.5 µs for a
+/// quintic.
 template <std::size_t n>
 Result<double> bending_energy(const PhCurve<Complex<double>, n>& curve) {
   if constexpr (n == 0) {

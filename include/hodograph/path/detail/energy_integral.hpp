@@ -110,8 +110,14 @@ class EnergyIntegral {
   std::optional<S> share_of(double a, double b, const S& sum) const {
     const Preimage w = preimage_.restricted(S(a), S(b));
     const Turning turning = turning_.restricted(S(a), S(b));
-    const std::optional<double> remainder = remainder_bound(w, turning);
-    if (!remainder) return std::nullopt;
+    const std::optional<Remainder> bound = remainder_bound(w, turning);
+    const double length_bound = 0.5 * (b - a);
+    const auto allows = [&](double size) {
+      return length_bound * bound->remainder <= epsilon<double>() * (size + upper_size(sum));
+    };
+    // The rule's weights sum to 2: a value that cannot be enough is not worth the evaluation.
+    constexpr double most_weight = 2.5;
+    if (!bound || !allows(length_bound * most_weight * bound->most)) return std::nullopt;
     S total(0.0);
     for (const auto& [node, weight] : gauss_rule) {
       const S x = S(0.5) * rounded_constant<S>(node);
@@ -119,18 +125,28 @@ class EnergyIntegral {
                           (integrand(w, turning, S(0.5) - x) + integrand(w, turning, S(0.5) + x));
     }
     const S length = S(b) - S(a), half = S(0.5) * length;
-    const double size = upper_size(half * total) + upper_size(sum);
-    if (!(0.5 * (b - a) * *remainder <= epsilon<double>() * size)) return std::nullopt;
-    if constexpr (rigorous) total = total + Enclosure(-*remainder, *remainder);
+    if (!allows(upper_size(half * total))) return std::nullopt;
+    if constexpr (rigorous) total = total + Enclosure(-bound->remainder, bound->remainder);
     return half * total;
   }
 
+  struct Remainder {
+    double remainder;
+    double most;  ///< a bound of the integrand on the piece
+  };
   /// 8 M ρ^-32/(1 - ρ^-2) for the best of a few ρ; nothing where the disc may reach a zero of w.
-  static std::optional<double> remainder_bound(const Preimage& w, const Turning& turning) {
+  static std::optional<Remainder> remainder_bound(const Preimage& w, const Turning& turning) {
     const auto w_sizes = taylor_sizes(w);
     const auto turning_sizes = taylor_sizes(turning);
     const double least = lower_middle(w);
-    std::optional<double> best;
+    std::optional<Remainder> best;
+    double on_piece = 0.0;
+    for (const double size : turning_sizes) on_piece += size;
+    double nearest = least;
+    for (std::size_t k = 1; k <= n; ++k) nearest -= w_sizes[k];
+    if (!(nearest > margin * least)) return std::nullopt;
+    const double top_quotient = on_piece / (nearest * nearest * nearest);
+    const double most = (1.0 + margin) * top_quotient * top_quotient;
     for (const double rho : {3.0, 4.0, 6.0}) {
       const double radius = 0.5 * (rho + 1.0 / rho);
       double reach = 0.0, top = 0.0;
@@ -142,9 +158,9 @@ class EnergyIntegral {
       const double cube = m * m * m, quotient = top / cube;
       const double bound = (1.0 + margin) * 8.0 * quotient * quotient /
                            (std::pow(rho, 32.0) * (1.0 - 1.0 / (rho * rho)));
-      if (!best || bound < *best) best = bound;
+      if (!best || bound < best->remainder) best = Remainder{bound, most};
     }
-    return best && std::isfinite(*best) ? best : std::nullopt;
+    return best && std::isfinite(best->remainder) ? best : std::nullopt;
   }
   /// What rounding of a few dozen operations stays far below.
   static constexpr double margin = 0x1.0p-16;
