@@ -86,8 +86,7 @@ Result<Enclosure> bending_energy_enclosure(const PlanarPath<n>& path) {
 /// Method: for cubics and quintics partial fractions over the roots of w, in closed form, where an
 /// estimate says that they keep their digits (roots near the curve, simple, and neither near the
 /// conjugate of the other); else, and in higher degrees, Gauss-Legendre quadrature on pieces chosen
-/// by the distance of the roots. Cost: 0.2 to 1.5 µs for a
-/// quintic.
+/// by the distance of the roots. Cost: 0.2 to 1.5 µs for a quintic.
 template <std::size_t n>
 Result<double> bending_energy(const PhCurve<Complex<double>, n>& curve) {
   if constexpr (n == 0) {
