@@ -95,7 +95,7 @@ std::pair<std::vector<Number>, int> plain_spline(const std::vector<Vector2<doubl
       }
       worst = std::max(worst, std::abs(right[i]) / (81.0 * std::norm(b)));
     }
-    constexpr double settled = 1e-15;  // a few roundings
+    constexpr double settled = 8e-15;  // some ten roundings
     constexpr int most_steps = 20;
     if (worst < settled || steps == most_steps) return {z, steps};
     solve(lower, diagonal, upper, right);

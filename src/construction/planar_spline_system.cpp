@@ -4,31 +4,37 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
 namespace hodograph::planar_spline_detail {
 namespace {
 
-struct Row {
-  Number value;                   ///< F
-  Number lower, diagonal, upper;  ///< ∂F/∂z_{i-1}, ∂F/∂z_i, ∂F/∂z_{i+1}
-  double size;                    ///< |a|² + |b|² + |z|², to judge F by
+template <class S>
+struct BasicRow {
+  Complex<S> value;                   ///< F
+  Complex<S> lower, diagonal, upper;  ///< ∂F/∂z_{i-1}, ∂F/∂z_i, ∂F/∂z_{i+1}
+  S size;                             ///< |a|² + |b|² + |z|², to judge F by
 };
+using Row = BasicRow<double>;
 
 struct EvenWeights {
   double operator[](std::size_t) const { return 0.5; }
 };
 
 /// F is a quadratic form less the target: the form is half of Σ (variable times derivative).
-[[gnu::always_inline]] inline Row inner_row(const Number& a, const Number& z, const Number& b,
-                                            double before, double after, const Number& target) {
-  const Number by_a = 6.0 * a + 3.0 * z + b;
-  const Number by_z = 4.0 * z + 3.0 * (a + b);
-  const Number by_b = 6.0 * b + 3.0 * z + a;
-  return {0.5 * (a * by_a + z * by_z + b * by_b) - target, before * by_a,
-          by_z + (1.0 - before) * by_a + after * by_b, (1.0 - after) * by_b,
-          squared(a) + squared(b) + squared(z)};
+template <class S>
+[[gnu::always_inline]] inline BasicRow<S> inner_row(const Complex<S>& a, const Complex<S>& z,
+                                                    const Complex<S>& b, const S& before,
+                                                    const S& after, const Complex<S>& target) {
+  const S one(1.0), half(0.5), three(3.0), six(6.0);
+  const Complex<S> by_a = six * a + three * z + b;
+  const Complex<S> by_z = S(4.0) * z + three * (a + b);
+  const Complex<S> by_b = six * b + three * z + a;
+  return {half * (a * by_a + z * by_z + b * by_b) - target, before * by_a,
+          by_z + (one - before) * by_a + after * by_b, (one - after) * by_b,
+          dot(a, a) + dot(b, b) + dot(z, z)};
 }
 
 /// The row of a straight end whose other node has the value b = own z + (1 - own) neighbour;
@@ -175,6 +181,93 @@ struct Chain {
   }
 };
 
+#if defined(__GNUC__)  // GCC and Clang: vector extensions
+
+/// Two doubles in one register, each with the arithmetic of its own.
+struct Lanes {
+  typedef double Numbers __attribute__((vector_size(16)));
+  Numbers value{};
+
+  Lanes() = default;
+  explicit Lanes(double x) : value{x, x} {}
+  explicit Lanes(Numbers x) : value(x) {}
+  Lanes(double first, double second) : value{first, second} {}
+
+  friend Lanes operator+(const Lanes& a, const Lanes& b) { return Lanes(a.value + b.value); }
+  friend Lanes operator-(const Lanes& a, const Lanes& b) { return Lanes(a.value - b.value); }
+  friend Lanes operator-(const Lanes& a) { return Lanes(-a.value); }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) { return Lanes(a.value * b.value); }
+  friend Lanes operator/(const Lanes& a, const Lanes& b) { return Lanes(a.value / b.value); }
+};
+using TwoNumbers = Complex<Lanes>;
+
+inline TwoNumbers pack(const Number& first, const Number& second) {
+  return {{first.re, second.re}, {first.im, second.im}};
+}
+inline Number first_of(const TwoNumbers& a) { return {a.re.value[0], a.im.value[0]}; }
+inline Number second_of(const TwoNumbers& a) { return {a.re.value[1], a.im.value[1]}; }
+
+/// Both chains at once, rows i from the front and j from the back as long as i < j, in the two
+/// lanes of every register; for chains whose border has died out. Leaves the indices of the next
+/// rows.
+template <class Rows>
+void take_in_lanes(const Rows& rows, Chain& front, Chain& back, std::size_t& i, std::size_t& j,
+                   Number* ratios, Number* steps) {
+  const Number* const z = rows.z;
+  const Number* const target = rows.problem.target.data();
+  const double* const importance = rows.problem.importance.data();
+  const Lanes one(1.0);
+  TwoNumbers ratio = pack(front.ratio, back.ratio), step = pack(front.step, back.step);
+  // Seen from the back a row is mirrored: near is the side of what is eliminated already.
+  TwoNumbers near = pack(rows.inner_node(i), rows.inner_node(j + 1)), here = pack(z[i], z[j]);
+  Lanes merit, worst(front.collector.worst, back.collector.worst),
+      worst_size(front.collector.worst_size, back.collector.worst_size);
+  auto places = worst.value < worst.value;  // lanes of integers
+  places[0] = static_cast<std::int64_t>(front.collector.row);
+  places[1] = static_cast<std::int64_t>(back.collector.row);
+  auto place = places;
+  for (; i + 1 < j; ++i, --j) {
+    const TwoNumbers next = pack(z[i + 1], z[j - 1]);
+    const Lanes before(rows.weight[i], 1.0 - rows.weight[j + 1]);
+    const Lanes after(rows.weight[i + 1], 1.0 - rows.weight[j]);
+    const TwoNumbers far = after * here + (one - after) * next;
+    const auto row = inner_row(near, here, far, before, after, pack(target[i], target[j]));
+    const TwoNumbers pivot = row.diagonal - row.lower * ratio;
+    const Lanes scale = one / dot(pivot, pivot);
+    const TwoNumbers inverse{pivot.re * scale, -(pivot.im * scale)};
+    ratio = row.upper * inverse;
+    step = (-row.value - row.lower * step) * inverse;
+    ratios[i] = first_of(ratio);
+    ratios[j] = second_of(ratio);
+    steps[i] = first_of(step);
+    steps[j] = second_of(step);
+
+    const Lanes square = dot(row.value, row.value), size = row.size * row.size;
+    merit = merit + Lanes(importance[i], importance[j]) * square;
+    const auto kept = (square * worst_size).value <= (worst * size).value;
+    places[0] = static_cast<std::int64_t>(i);
+    places[1] = static_cast<std::int64_t>(j);
+    worst = Lanes(kept ? worst.value : square.value);
+    worst_size = Lanes(kept ? worst_size.value : size.value);
+    place = kept ? place : places;
+    near = far;
+    here = next;
+  }
+  const auto hand_back = [&](Chain& chain, const Number& last_ratio, const Number& last_step,
+                             int lane) {
+    chain.ratio = last_ratio;
+    chain.step = last_step;
+    chain.collector.merit += merit.value[lane];
+    chain.collector.worst = worst.value[lane];
+    chain.collector.worst_size = worst_size.value[lane];
+    chain.collector.row = static_cast<std::size_t>(place[lane]);
+  };
+  hand_back(front, first_of(ratio), first_of(step), 0);
+  hand_back(back, second_of(ratio), second_of(step), 1);
+}
+
+#endif
+
 /// One step of Gaussian elimination with row exchanges between two neighbouring rows: columns
 /// i, i + 1, i + 2 and two right sides.
 using WideRow = std::array<Number, 5>;
@@ -267,21 +360,28 @@ Misfit SplineSystem::eliminate(const Rows& rows, std::vector<Number>& moved) {
     }
   }
   if (half > 0) {
-    Number a = rows.inner_node(1), b = rows.inner_node(count - 1);
-    const auto from_back = [&](std::size_t j) {
-      const Number before = rows.inner_node(j);
-      const Row row = rows.between(before, j, b);
-      back.take(row, row.upper, row.lower, j, ratio, step, border);
-      b = before;
-    };
-    for (std::size_t i = 1; i < half; ++i) {
-      const Number after = rows.inner_node(i + 1);
-      const Row row = rows.between(a, i, after);
+    std::size_t i = 1, j = count - 2;  // the next rows
+    const auto from_front = [&] {
+      const Row row = rows.between(rows.inner_node(i), i, rows.inner_node(i + 1));
       front.take(row, row.lower, row.upper, i, ratio, step, border);
-      a = after;
-      from_back(count - 1 - i);
+      ++i;
+    };
+    const auto from_back = [&] {
+      const Row row = rows.between(rows.inner_node(j), j, rows.inner_node(j + 1));
+      back.take(row, row.upper, row.lower, j, ratio, step, border);
+      --j;
+    };
+    while (i < half) {
+#if defined(__GNUC__)
+      if (!front.border_active && !back.border_active && i + 1 < j) {
+        take_in_lanes(rows, front, back, i, j, ratio, step);
+        continue;
+      }
+#endif
+      from_front();
+      from_back();
     }
-    if (count % 2 == 1) from_back(half);
+    if (count % 2 == 1) from_back();
   }
 
   // Where they meet: x + front.ratio y = front.step, y + back.ratio x = back.step.
