@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hodograph/bernstein/roots.hpp"
 #include "hodograph/construction/detail/planar_hermite_kernel.hpp"
 #include "hodograph/construction/detail/planar_solution.hpp"
 #include "hodograph/path/rotation_index.hpp"
@@ -17,11 +16,24 @@ double least_speed(const Preimage& w) {
   const auto speed =
       symmetric_square(BernsteinPolynomial<Complex<double>, 2>(w),
                        [](const auto& a, const auto& b) { return speed_form(a, b); });
+  const auto slope = speed.derivative();
   double least = std::min(speed.front(), speed.back());
-  if (const auto stationary = isolated_roots(speed.derivative())) {
-    for (const IsolatedRoot& root : *stationary) {
-      least = std::min(least, speed.value(root.u.middle()));
+  // A dip lies where the slope, a cubic, turns from negative to positive; dips closer to each other
+  // than a step differ by nothing that matters.
+  constexpr int steps = 16, halvings = 27;  // 2^-31: the value is flat to rounding there
+  double low = 0.0, slope_at_low = slope.front();
+  for (int i = 1; i <= steps; ++i) {
+    const double high = static_cast<double>(i) / steps, slope_at_high = slope.value(high);
+    if (slope_at_low < 0.0 && slope_at_high >= 0.0) {
+      double left = low, right = high;
+      for (int k = 0; k < halvings; ++k) {
+        const double middle = 0.5 * (left + right);
+        (slope.value(middle) < 0.0 ? left : right) = middle;
+      }
+      least = std::min(least, speed.value(right));
     }
+    low = high;
+    slope_at_low = slope_at_high;
   }
   return std::max(least, 0.0);
 }
