@@ -24,7 +24,7 @@ namespace hodograph {
 /// The intersections of two paths, ascending in ξ of the first. For one path with itself, or parts
 /// in common, the answer is stretches; self-intersections are not found this way.
 /// Cost: boxes exclude most pairs of segments; a pair that meets takes some 10 to 100 µs, one that
-/// has a stretch in common some ms. Work is bounded for every input.
+/// has a stretch in common some 10 ms. Work is bounded for every input.
 template <std::size_t n, std::size_t m>
 std::vector<PathIntersection> intersections(const PlanarPath<n>& first,
                                             const PlanarPath<m>& second) {

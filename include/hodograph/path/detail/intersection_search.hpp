@@ -135,7 +135,7 @@ class CurveMeetings {
   /// Curves that touch part by the square of their length: below the square root of rounding
   /// nothing is gained.
   static constexpr double least_part = 0x1.0p-28;
-  static constexpr std::size_t most_pairs = 3000;
+  static constexpr std::size_t most_pairs = 1500;
 
   /// Whether two pieces certainly have no point in common: their boxes, or their strips along
   /// either chord, are apart.
@@ -172,6 +172,17 @@ class CurveMeetings {
     }
   }
 
+  /// The range of the sides of a control polygon, which are parallel to the tangents.
+  template <std::size_t m>
+  static PlaneBox side_box(const Points<m>& f) {
+    PlaneBox box{f[1].x - f[0].x, f[1].y - f[0].y};
+    for (std::size_t i = 1; i < m; ++i) {
+      box = PlaneBox::hull(box, {f[i + 1].x - f[i].x, f[i + 1].y - f[i].y});
+    }
+    return box;
+  }
+  static Enclosure cross_of(const PlaneBox& a, const PlaneBox& b) { return a.x * b.y - a.y * b.x; }
+
   struct Jacobian {
     Vector2<Enclosure> p, q;
     Enclosure determinant;
@@ -188,6 +199,8 @@ class CurveMeetings {
   /// between the derivatives, the common point lies in N = c - J⁻¹(P(c) - Q(c)); N inside the box
   /// proves that there is one (Brouwer). Returns whether the pair is settled.
   bool try_newton(const Pair& pair) {
+    // What is parallel on the pair itself is so on the larger box.
+    if (cross_of(side_box(pair.p), side_box(pair.q)).contains(0.0)) return false;
     const Enclosure u_alone = widened(pair.u, 0.25), v_alone = widened(pair.v, 0.25);
     Enclosure u = u_alone, v = v_alone;
     Jacobian j = jacobian(u, v);
