@@ -260,18 +260,20 @@ std::vector<PlanarPhCurve<2>> curves_of(const Nodes& nodes, Solved& solved) {
     planar_spline_detail::SplineSystem system(solved.problem);
     system.pivoted_solve(before, right);
     for (std::size_t i = 0; i < size; ++i) solved.solution.z[i] += system.step()[i];
-    std::vector<PlanarPhCurve<2>> corrected;
-    corrected.reserve(size);
-    double remaining = 0.0;
-    for (std::size_t i = 0; i < size; ++i) {
-      corrected.push_back(solved.curve(nodes, i, unit));
-      remaining = std::max(remaining, gap_share(corrected[i], nodes.at(i + 1), gap));
-    }
+    const auto rebuild = [&] {
+      double remaining = 0.0;
+      for (std::size_t i = 0; i < size; ++i) {
+        curves[i] = solved.curve(nodes, i, unit);
+        remaining = std::max(remaining, gap_share(curves[i], nodes.at(i + 1), gap));
+      }
+      return remaining;
+    };
+    const double remaining = rebuild();
     if (!(remaining < worst)) {
       solved.solution.z = before;
+      rebuild();
       break;
     }
-    curves.swap(corrected);
     worst = remaining;
   }
   return curves;

@@ -84,7 +84,7 @@ struct PlanarSpline {
 /// preimage up to the closure sign (two distinct points at least).
 ///
 /// Scaling the points by a power of 4 scales the path exactly; sizes from 1e-150 to 1e150. Time
-/// linear in the number of points; memory beside the result under 150 bytes a point.
+/// linear in the number of points; memory beside the result under 250 bytes a point.
 /// Accuracy: the residual is at most 2048 ε, usually a few ε.
 /// Faults: too_few; not_finite (index of the point); outside_domain (index of a point equal to the
 /// one before it; or of a point so close to it that its chord-length knot does not advance);
