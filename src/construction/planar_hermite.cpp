@@ -132,12 +132,10 @@ std::optional<Fault> prepare(const PlanarHermitePoint& begin, const PlanarHermit
 struct LaneTurns {
   void operator()(const Complex<double>& w0, const std::array<Complex<double>, 4>& w1,
                   const std::array<Complex<double>, 4>& w2, std::array<double, 4>& turns) const {
-    double in[18] = {w0.re, w0.im};
+    double in[24];
     for (std::size_t k = 0; k < 4; ++k) {
-      in[2 + k] = w1[k].re;
-      in[6 + k] = w1[k].im;
-      in[10 + k] = w2[k].re;
-      in[14 + k] = w2[k].im;
+      const double column[] = {w0.re, w0.im, w1[k].re, w1[k].im, w2[k].re, w2[k].im};
+      for (std::size_t c = 0; c < 6; ++c) in[4 * c + k] = column[c];
     }
     four_turns(in, turns.data());
   }

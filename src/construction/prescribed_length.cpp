@@ -167,26 +167,38 @@ std::optional<Fault> prepare(const DirectedPoint& begin, const DirectedPoint& en
 struct Roots {
   std::array<Preimage, 4> preimages;
   std::array<double, 4> turns;
+  double unavoidable;
 };
 
-/// The turns by lanes, with the bits of PlainPairTurns.
+/// The turns by lanes, with the bits of PlainPairTurns; two lanes left over take the turn from
+/// -|φs|/2 over 0 to |φe|/2, half of the unavoidable rotation.
 struct LanePairTurns {
+  const Canonical& data;
+  double& unavoidable;
+
   void operator()(LengthRoots<double>& found) const {
-    double in[18] = {found.w0.re, found.w0.im}, turns[4];
+    const Complex<double> one{1.0, 0.0}, down{data.s.re, -std::abs(data.s.im)},
+        up{data.e.re, std::abs(data.e.im)};
+    const Complex<double>* preimages[4][3] = {{&found.w0, &found.w1[0], &found.w2},
+                                              {&found.w0, &found.w1[1], &found.w2},
+                                              {&down, &one, &up},
+                                              {&down, &one, &up}};
+    double in[24], turns[4];
     for (std::size_t k = 0; k < 4; ++k) {
-      const Complex<double>& w1 = found.w1[k % 2];
-      in[2 + k] = w1.re;
-      in[6 + k] = w1.im;
-      in[10 + k] = found.w2.re;
-      in[14 + k] = found.w2.im;
+      for (std::size_t c = 0; c < 3; ++c) {
+        in[8 * c + k] = preimages[k][c]->re;
+        in[8 * c + 4 + k] = preimages[k][c]->im;
+      }
     }
     four_turns(in, turns);
     found.turn = {turns[0], turns[1]};
+    unavoidable = turns[2];
   }
 };
 
 void solve_pair(const Canonical& data, const Complex<double>& e, std::size_t at, Roots& roots) {
-  const LengthRoots<double> found = solve_length(data.s, e, data.sum, data.excess, LanePairTurns{});
+  const LengthRoots<double> found =
+      solve_length(data.s, e, data.sum, data.excess, LanePairTurns{data, roots.unavoidable});
   for (std::size_t k = 0; k < 2; ++k) {
     roots.preimages[at + k] = {found.w0, found.w1[k], found.w2};
     roots.turns[at + k] = found.turn[k];
@@ -222,13 +234,6 @@ PlanarPhCurve<2> curve_of(const DirectedPoint& begin, const Preimage& w, double 
 
 bool is_usable(const PlanarPhCurve<2>& curve) {
   return is_finite(curve.end()) && is_finite(curve.arc_length()) && curve.arc_length() > 0.0;
-}
-
-/// (|φs| + |φe|)/2: both half angles are in [0, π/2].
-double unavoidable_turn(const Canonical& data) {
-  const Complex<double> both = Complex<double>{data.s.re, std::abs(data.s.im)} *
-                               Complex<double>{data.e.re, std::abs(data.e.im)};
-  return path_detail::angle_of(both.im, both.re);
 }
 
 }  // namespace
@@ -279,7 +284,7 @@ Result<PrescribedLength> prescribed_length_curve(const DirectedPoint& begin,
   }
   result.curve = curve_of(begin, placed(data, roots.preimages[best], root), h);
   if (!is_usable(result.curve)) return planar_range_fault(0);
-  const double turn = roots.turns[best], unavoidable = unavoidable_turn(data);
+  const double turn = roots.turns[best], unavoidable = roots.unavoidable;
   result.rotation_index = 2.0 * turn;
   result.margin = std::max(0.0, 2.0 * (next - turn));
   result.unavoidable_rotation = 2.0 * unavoidable;

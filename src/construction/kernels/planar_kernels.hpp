@@ -92,9 +92,8 @@ void prescribed_length_run(const double* in, std::size_t count, double* out) {
 void four_turns_run(const double* in, double* turns);
 void four_turns_run(const double* in, double* turns) {
   for (std::size_t i = 0; i < 4; i += few) {
-    const double* from = in + 2 + i;
-    path_detail::absolute_turn<Few>({in[0], in[1]}, {Few::load(from), Few::load(from + 4)},
-                                    {Few::load(from + 8), Few::load(from + 12)})
+    const auto row = [&](std::size_t c) { return Few::load(in + 4 * c + i); };
+    path_detail::absolute_turn<Few>({row(0), row(1)}, {row(2), row(3)}, {row(4), row(5)})
         .store(turns + i);
   }
 }

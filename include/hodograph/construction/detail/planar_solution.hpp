@@ -99,8 +99,8 @@ void solve_hermites(const double* in, std::size_t count, double* out);
 inline constexpr std::size_t length_numbers_in = 7, length_numbers_out = 8;
 void solve_prescribed_lengths(const double* in, std::size_t count, double* out);
 
-/// The turns of four preimages at once, in lanes. In: re and im of w0, then four numbers each of re
-/// w1, im w1, re w2, im w2.
+/// The turns of four preimages at once, in lanes. In: four numbers each of re w0, im w0, re w1, im
+/// w1, re w2, im w2.
 void four_turns(const double* in, double* turns);
 
 }  // namespace hodograph::planar_detail

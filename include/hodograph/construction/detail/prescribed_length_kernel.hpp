@@ -47,8 +47,8 @@ template <class S>
   const S stretch = sqrt(one + ratio * ratio), unit = reciprocal / stretch;
   const Complex<S> along{select(apart, chord.re * unit, one), select(apart, chord.im * unit, zero)};
   const auto half_angle = [&](const Complex<S>& direction) {
-    const Complex<S> t = direction * Complex<S>{along.re, -along.im};
-    return root_of_unit((one / sqrt(t.re * t.re + t.im * t.im)) * t);
+    const S size = sqrt(direction.re * direction.re + direction.im * direction.im);
+    return root_of_unit(((one / size) * direction) * Complex<S>{along.re, -along.im});
   };
   return {half_angle(begin), half_angle(end), root_of_unit(along), large * stretch};
 }
