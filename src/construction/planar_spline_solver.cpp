@@ -45,19 +45,23 @@ void move(const std::vector<Number>& z, double share, const std::vector<Number>&
   }
 }
 
-/// Newton's iteration from z, in place.
-Descent descend(SplineSystem& system, std::vector<Number>& z) {
+/// Newton's iteration from z, in place, at most `most` steps.
+Descent descend(SplineSystem& system, std::vector<Number>& z, std::size_t most = most_steps) {
   Descent result;
   std::vector<Number> moved(z.size()), beyond(z.size());
   Misfit here = system.newton_step(z, moved);
   bool has_step = true;
-  while (!(here.worst <= settled_misfit) && result.steps < most_steps) {
+  while (!(here.worst <= settled_misfit) && result.steps < most) {
     if (!has_step) here = system.newton_step(z, moved);
     ++result.steps;
     has_step = !(here.worst <= nearly_settled);
     Misfit next = has_step ? system.newton_step(moved, beyond) : system.measure(moved);
-    if (!(next.merit <= (1.0 - least_descent) * here.merit) && !(next.worst <= settled_misfit)) {
-      if (here.worst <= noise_misfit) break;  // settled, up to rounding
+    const bool descends =
+        next.merit <= (1.0 - least_descent) * here.merit || next.worst <= settled_misfit;
+    if (here.worst <= noise_misfit) {
+      // Rounding may hide the descent; a step that does not even halve the worst row is the last.
+      if (!descends && !(next.worst <= 0.5 * here.worst)) break;
+    } else if (!descends) {
       // The step again, pivoted in case the quick elimination broke down; then shorter ones.
       system.pivoted_step(z);
       double share = 1.0;
@@ -75,7 +79,9 @@ Descent descend(SplineSystem& system, std::vector<Number>& z) {
     here = next;
   }
   result.misfit = here;
-  result.converged = here.worst <= noise_misfit;
+  // Stopped by the number of steps, it might still come nearer.
+  result.converged =
+      here.worst <= settled_misfit || (here.worst <= noise_misfit && result.steps < most);
   return result;
 }
 
@@ -168,12 +174,16 @@ SplineProblem window(const SplineProblem& problem, const std::vector<Number>& z,
   return part;
 }
 
+/// A row is met, for a repair, at this misfit: far above rounding, far below anything that Newton
+/// could not finish.
+constexpr double met = 1e-9;
+
 /// Solves the neighbourhoods of the rows that are not met, each on its own, with a continuation
-/// where Newton's iteration does not do.
-void repair(const SplineProblem& problem, const SplineSystem& system, std::vector<Number>& z) {
-  constexpr double met = 1e-9;  // far above rounding, far below anything Newton could not finish
+/// where Newton's iteration does not do. Returns whether one was needed.
+bool repair(const SplineProblem& problem, const std::vector<double>& misfit,
+            std::vector<Number>& z) {
   const std::size_t size = z.size();
-  const std::vector<double> misfit = system.misfits(z);
+  bool continued = false;
   for (std::size_t i = 0; i < size; ++i) {
     if (misfit[i] <= met) continue;
     std::size_t last = i;
@@ -189,12 +199,14 @@ void repair(const SplineProblem& problem, const SplineSystem& system, std::vecto
     SplineSystem part_system(part);
     bool solved = descend(part_system, own).converged;
     if (!solved) {
+      continued = true;
       own = start;
       solved = continue_to_solution(part, own);
     }
     if (solved) std::copy(own.begin(), own.end(), z.begin() + static_cast<std::ptrdiff_t>(begin));
     i = last;
   }
+  return continued;
 }
 
 // ---- bending energy
@@ -441,29 +453,35 @@ void search(SplineProblem& problem, SplineSolution& solution, std::size_t most) 
   if (shift > 0) rotate(problem, solution.z, solution.z.size() - shift);
 }
 
-/// Newton on the whole, with repairs where it fails.
+/// Newton on the whole, with repairs where it fails; and, where the points are many and only a few
+/// places are not met after some steps, with repairs instead of steps for all of them.
 void settle(const SplineProblem& problem, SplineSystem& system, SplineSolution& solution) {
-  constexpr int most_rounds = 4;
-  constexpr std::size_t small = 400;  // spans that a continuation as a whole takes on
-  const std::vector<Number> start = solution.z;
+  constexpr int most_rounds = 5;
+  constexpr std::size_t few = 400;     // spans that a continuation as a whole takes on
+  constexpr std::size_t patience = 5;  // steps before the first look at single places
+  const std::size_t size = problem.size();
+  std::vector<Number> start;
+  if (size <= few) start = solution.z;
   for (int round = 0; round < most_rounds; ++round) {
-    if (round > 0) {
-      solution.continued = true;
-      repair(problem, system, solution.z);
-    }
-    const Descent descent = descend(system, solution.z);
+    const bool early = round == 0 && size > few;
+    const Descent descent = descend(system, solution.z, early ? patience : most_steps);
     solution.steps += descent.steps;
     solution.misfit = descent.misfit;
     solution.converged = descent.converged;
-    if (descent.converged) return;
+    if (descent.converged || round + 1 == most_rounds) break;
+    const std::vector<double> misfit = system.misfits(solution.z);
+    const auto open = static_cast<std::size_t>(
+        std::count_if(misfit.begin(), misfit.end(), [](double x) { return !(x <= met); }));
+    if (early && 4 * radius * open > size) continue;  // more than a few places: all of them
+    if (repair(problem, misfit, solution.z)) solution.continued = true;
   }
-  if (problem.size() <= small) {
-    std::vector<Number> z = start;
-    if (continue_to_solution(problem, z)) {
-      solution.z = std::move(z);
-      solution.misfit = system.measure(solution.z);
-      solution.converged = true;
-    }
+  if (solution.converged || size > few) return;
+  std::vector<Number> z = start;
+  solution.continued = true;
+  if (continue_to_solution(problem, z)) {
+    solution.z = std::move(z);
+    solution.misfit = system.measure(solution.z);
+    solution.converged = true;
   }
 }
 
