@@ -21,6 +21,7 @@ std::string_view plot_style() {
 .hg-level{stroke:#51606e;stroke-width:1.25;stroke-dasharray:6 4}
 .hg-line{stroke-width:1.75;stroke-linejoin:round;stroke-linecap:round}
 .hg-dash{stroke-dasharray:5 4;stroke-linecap:butt}
+.hg-thin{stroke-width:.75;stroke-opacity:.6}
 .hg-arrow{stroke-width:1.25;stroke-linecap:round;stroke-linejoin:round}
 .hg-ring{stroke:#fff;stroke-width:1}
 .hg-c0{stroke:#0068b5}.hg-dot.hg-c0{fill:#0068b5;stroke:none}

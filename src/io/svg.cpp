@@ -180,7 +180,9 @@ std::vector<PlotColor> colors_of(const Plot& plot) {
 }
 
 std::string line_class(const Series& series, PlotColor color) {
-  return std::string(series.style == SeriesStyle::dashed_line ? "hg-line hg-dash " : "hg-line ") +
+  return std::string(series.style == SeriesStyle::dashed_line ? "hg-line hg-dash "
+                     : series.style == SeriesStyle::thin_line ? "hg-line hg-thin "
+                                                              : "hg-line ") +
          color_class(color);
 }
 

@@ -198,11 +198,13 @@ TEST(Dxf, JoinsAcrossAJumpOfTheSpeed) {
 }
 
 TEST(Dxf, BeginsAnewWherePiecesDoNotMeet) {
+  constexpr double visible_gap = 0x1p-20;  // of coordinates near 1: no rounding
+  constexpr double far_weight = 0x1p-40;   // beyond what neighbours are scaled by
   const RationalBezier first = line(0, {0, 0}, {1, 0});
   const RationalBezier arc{1.0, 2.0, {{1, 0}, {1, 1}, {0, 1}}, {1, std::sqrt(0.5), 1}};
-  const RationalBezier elsewhere = line(1, {1, 0x1p-20}, {2, 0});
+  const RationalBezier elsewhere = line(1, {1, visible_gap}, {2, 0});
   const RationalBezier later = line(1.5, {1, 0}, {2, 0});
-  const RationalBezier heavy = line(1, {1, 0}, {2, 0}, 0x1p-40);
+  const RationalBezier heavy = line(1, {1, 0}, {2, 0}, far_weight);
   for (const RationalBezier& next : {arc, elsewhere, later, heavy}) {
     const std::vector<DxfCurves> curves = {{"cut", 1, {first, next}}};
     const auto splines = splines_of(groups_of(to_dxf(curves).value()));

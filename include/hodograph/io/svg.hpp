@@ -21,7 +21,7 @@ namespace hodograph {
 /// The colours of a picture, in the order in which series take them.
 enum class PlotColor { blue, vermilion, green, purple, gold, grey };
 
-enum class SeriesStyle { line, dashed_line, dots };
+enum class SeriesStyle { line, dashed_line, thin_line, dots };
 
 /// One curve: points (x_i, y_i) in order. A point that is not finite makes a gap; on a logarithmic
 /// axis a value that is not positive lies on the lower edge.
