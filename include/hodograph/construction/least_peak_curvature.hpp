@@ -51,8 +51,8 @@ struct SpeedRange {
 ///
 /// Method: 256 speeds, evenly in the logarithm, and golden sections in every dip; the minimiser is
 /// found to about 1e-8 of itself (a smooth minimum does not fix it better in double), its curvature
-/// is certified. A dip narrower than the samples' distance (2 %) may be missed. A third of a
-/// millisecond. Faults: those of prescribed_length_curve for the data; outside_domain (a length
+/// is certified. A dip narrower than the samples' distance (2 %) may be missed. A few
+/// milliseconds. Faults: those of prescribed_length_curve for the data; outside_domain (a length
 /// bound or a range that is not positive, finite and increasing); no_interpolant (the bound below
 /// the points' distance, with both numbers; no speed of the range gives a path within the bound).
 Result<LeastPeakCurvature> least_peak_curvature_of_equal_speeds(const DirectedPoint& begin,
@@ -61,7 +61,7 @@ Result<LeastPeakCurvature> least_peak_curvature_of_equal_speeds(const DirectedPo
                                                                 const SpeedRange& range = {});
 
 /// Over ℓ0 and ℓ1 separately: a golden section of golden sections, after a grid of 48 by 48. Some
-/// milliseconds; otherwise as above. `interior` gives ℓ0.
+/// tens of milliseconds; otherwise as above. `interior` gives ℓ0.
 Result<LeastPeakCurvature> least_peak_curvature_of_speeds(const DirectedPoint& begin,
                                                           const DirectedPoint& end,
                                                           double most_length,
