@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // hodograph batch: requests as JSON Lines in, results as JSON Lines out.
+#include <algorithm>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -21,7 +22,8 @@ std::unique_ptr<Command> batch_command(CLI::App& program) {
   command->examples({"echo '{\"request\": \"orbit\", \"name\": \"gateway\"}' | hodograph batch",
                      "hodograph batch requests.jsonl -o results.jsonl"});
   std::string note = "Requests (docs/requests.md describes each)\n";
-  constexpr std::size_t column = 14;
+  std::size_t column = 0;
+  for (const RequestKind& kind : request_kinds()) column = std::max(column, kind.name.size() + 2);
   for (const RequestKind& kind : request_kinds()) {
     note += "  " + std::string(kind.name) + std::string(column - kind.name.size(), ' ') +
             std::string(kind.summary) + "\n";

@@ -82,6 +82,16 @@ std::string program_help(const CLI::App& program) {
          "standard input or output. Exit codes: 2 bad input, 3 no solution, 1 anything else.\n";
 }
 
+/// The subcommands, as a list in a sentence.
+std::string command_names(const CLI::App& program) {
+  const auto all = program.get_subcommands([](const CLI::App*) { return true; });
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < all.size() ? ", " : " and ") + all[i]->get_name();
+  }
+  return text;
+}
+
 /// The subcommand that was named on the command line, for hints.
 std::string called(const CLI::App& program) {
   const auto chosen = program.get_subcommands();
@@ -178,7 +188,8 @@ int run_program(int count, const char* const* arguments) {
     return program_help(*app);
   });
   Commands commands;
-  for (auto* const make : {fit_command, orbit_command, sample_command, inspect_command,
+  for (auto* const make : {fit_command, orbit_command, spline_command, hermite_command,
+                           corner_command, offset_command, sample_command, inspect_command,
                            check_command, plot_command, batch_command, version_command}) {
     commands.push_back(make(program));
   }
@@ -189,11 +200,9 @@ int run_program(int count, const char* const* arguments) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help, --version
     if (program.get_subcommands().empty() && error.get_name() == "RequiredError") {
       const bool named = count > 1 && arguments[1][0] != '-';
-      return fail(
-          std::string(named ? arguments[1] : "nothing") +
-              " is no command; there are fit, orbit, sample, inspect, check, plot, batch and "
-              "version (see hodograph --help)",
-          bad_input);
+      return fail(std::string(named ? arguments[1] : "nothing") + " is no command; there are " +
+                      command_names(program) + " (see hodograph --help)",
+                  bad_input);
     }
     return fail(std::string(error.what()) + " (see " + called(program) + " --help)", bad_input);
   } catch (const Error& error) {

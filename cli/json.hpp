@@ -17,6 +17,14 @@ using Json = nlohmann::ordered_json;
 /// Appends a value on one line. What is no finite number is null; text that is no UTF-8 is mended.
 void append_json(std::string& out, const Json& value);
 
+/// The components of a vector, complex number or quaternion as a list.
+template <class V>
+Json list_of(const V& value) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < V::dimension; ++i) list.push_back(value[i]);
+  return list;
+}
+
 /// {"lower": ..., "upper": ...}; an end that is infinite is null.
 Json json_of(const Enclosure& bound);
 Json json_of(const ErrorPromise& error);

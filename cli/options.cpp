@@ -69,24 +69,12 @@ void OutputFlags::add_to(Command& command, const std::string& document_help,
   command.option("--report", report, "FILE", report_help);
 }
 
-void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
-                   const std::string& verb) {
-  // The names are tried before the work: one that cannot be written costs no time.
+void write_files(const PathDocument& document, const ReportData& report,
+                 const OutputFlags& output) {
   auto document_file = OutputFile::create(output.document).value();
   std::optional<OutputFile> report_file;
   if (!output.report.empty()) report_file = OutputFile::create(output.report).value();
-
-  FitOptions options = flags.options();
-  FittedPath fit = [&] {
-    Progress progress(verb);
-    options.progress = std::ref(progress);
-    return fitted(source, options).value();
-  }();
-  if (flags.distribute_roll) distribute_roll(fit.document);
-
-  const std::string shown_name = output.document == "-" ? "" : output.document;
-  ReportData report = report_of(fit, shown_name);
-  document_file.write(to_json(fit.document));
+  document_file.write(to_json(document));
   require_written(document_file.commit());
   if (report_file) {
     report_file->write(report_html(report));
@@ -100,6 +88,22 @@ void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlag
   } else {
     print(text);
   }
+}
+
+void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
+                   const std::string& verb) {
+  // The names are tried before the work: one that cannot be written costs no time.
+  static_cast<void>(OutputFile::create(output.document).value());
+  if (!output.report.empty()) static_cast<void>(OutputFile::create(output.report).value());
+
+  FitOptions options = flags.options();
+  FittedPath fit = [&] {
+    Progress progress(verb);
+    options.progress = std::ref(progress);
+    return fitted(source, options).value();
+  }();
+  if (flags.distribute_roll) distribute_roll(fit.document);
+  write_files(fit.document, report_of(fit, output.document == "-" ? "" : output.document), output);
 }
 
 }  // namespace hodograph::cli

@@ -8,6 +8,8 @@
 #include "cli/command_line.hpp"
 #include "cli/source.hpp"
 #include "hodograph/construction/fit.hpp"
+#include "hodograph/io/document.hpp"
+#include "hodograph/io/report.hpp"
 
 namespace hodograph::cli {
 
@@ -31,9 +33,12 @@ struct OutputFlags {
   void add_to(Command& command, const std::string& document_help, const std::string& report_help);
 };
 
-/// Fits a source, shows progress on a terminal, writes the document and the report, and ends with
-/// the short table and the names of the files on standard output (on standard error where the
-/// document itself goes to standard output). Throws Error.
+/// Writes the document and, where a file is named for it, the report; then the short table and the
+/// names of the files on standard output (on standard error where a file itself goes to standard
+/// output). Throws Error.
+void write_files(const PathDocument& document, const ReportData& report, const OutputFlags& output);
+
+/// Fits a source, shows progress on a terminal, and writes as write_files does. Throws Error.
 void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
                    const std::string& verb);
 

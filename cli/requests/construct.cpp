@@ -4,22 +4,15 @@
 #include <utility>
 
 #include "cli/fitting.hpp"
+#include "cli/made_path.hpp"
 #include "cli/requests/handlers.hpp"
 #include "hodograph/construction/hermite.hpp"
-#include "hodograph/foundation/version.hpp"
 #ifdef HODOGRAPH_HAS_ORBIT
 #include "hodograph/orbit/periodic_orbit.hpp"
 #endif
 
 namespace hodograph::cli {
 namespace {
-
-template <class V>
-Json list_of(const V& value) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < V::dimension; ++i) list.push_back(value[i]);
-  return list;
-}
 
 template <std::size_t m>
 HermitePoint<m> hermite_point(const std::vector<Vector3<double>>& jet) {
@@ -32,18 +25,6 @@ HermiteChoice choice_of(Members& request) {
   return request.word("choice", {"order_ten", "order_six"}, "order_ten") == "order_ten"
              ? HermiteChoice::order_ten
              : HermiteChoice::order_six;
-}
-
-/// A document with its promises, ready to be sent.
-std::string document_text(AnyPath path, const std::string& method, const std::string& choice,
-                          PathFacts& facts) {
-  PathDocument document{std::move(path)};
-  document.provenance.program = std::string("hodograph ") + version;
-  document.provenance.method = method;
-  document.provenance.choice = choice;
-  facts = facts_of(document.path);
-  document.promises = promises_of(facts);
-  return to_json(document);
 }
 
 template <std::size_t m>
@@ -107,8 +88,7 @@ Answer hermite(Members& request) {
       result["samples"].push_back(std::move(sample));
     }
   }
-  PathFacts facts;
-  answer.document = document_text(path, "C" + std::to_string(m) + " Hermite", "", facts);
+  answer.document = to_json(made_path(path, "", "C" + std::to_string(m) + " Hermite").document);
   return answer;
 }
 
@@ -124,13 +104,12 @@ Answer hermite_through(Members& request) {
       hermite_path<m>(std::move(knots), std::span<const HermitePoint<m>>(points), choice, closed)
           .value());
   Answer answer;
-  PathFacts facts;
-  answer.document =
-      document_text(path, "C" + std::to_string(m) + " Hermite",
-                    choice == HermiteChoice::order_ten ? "order ten" : "order six", facts);
+  const MadePath made = made_path(path, "", "C" + std::to_string(m) + " Hermite",
+                                  choice == HermiteChoice::order_ten ? "order ten" : "order six");
+  answer.document = to_json(made.document);
   answer.result["segments"] = path.segment_count();
   answer.result["arc_length"] = path.arc_length();
-  answer.result["continuity"] = json_of(facts.continuity);
+  answer.result["continuity"] = json_of(made.facts.continuity);
   return answer;
 }
 

@@ -21,11 +21,9 @@ const char* name_of(StationaryKind kind) {
 
 template <class Point>
 Json json_of(const StationaryPoint<Point>& stationary) {
-  Json point = Json::array();
-  for (std::size_t i = 0; i < Point::dimension; ++i) point.push_back(stationary.point[i]);
   return {{"xi", stationary.xi},
           {"xi_range", cli::json_of(stationary.xi_range)},
-          {"point", point},
+          {"point", list_of(stationary.point)},
           {"distance", stationary.distance},
           {"kind", name_of(stationary.kind)}};
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -100,6 +101,15 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
+}
+
+/// One line on standard error that contains `part`, nothing on standard output, and this exit code.
+inline void expect_refused(const Outcome& outcome, const std::string& part, int code = 2) {
+  EXPECT_EQ(outcome.code, code) << outcome.err;
+  EXPECT_EQ(line_count(outcome.err), 1u) << outcome.err;
+  EXPECT_TRUE(outcome.err.starts_with("hodograph: ")) << outcome.err;
+  EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
 }
 
 }  // namespace hodograph::test

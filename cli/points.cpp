@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "cli/points.hpp"
+
+#include "cli/requests/members.hpp"
+#include "hodograph/io/file.hpp"
+#include "hodograph/io/table.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+std::vector<Vector2<double>> from_json(const std::string& text, const std::string& name) {
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) {
+    throw Error(Fault{FaultCode::malformed_document,
+                      name + " begins like JSON but is none: it should be a list of points [x, y]",
+                      std::nullopt, "points", std::nullopt, std::nullopt});
+  }
+  if (json.is_array()) json = Json{{"points", std::move(json)}};
+  Members members(json, "");
+  std::vector<Vector2<double>> points;
+  for (const auto& p : members.vectors("points", 2)) points.push_back({p[0], p[1]});
+  return points;
+}
+
+std::vector<Vector2<double>> from_table(const Table& table,
+                                        const std::vector<std::string>& columns) {
+  std::size_t x = 0, y = 1;
+  if (!columns.empty()) {
+    x = table.column(columns.at(0)).value();
+    y = table.column(columns.at(1)).value();
+  } else if (const auto named_x = table.column("x"), named_y = table.column("y");
+             named_x && named_y) {
+    x = *named_x;
+    y = *named_y;
+  } else if (table.column_count < 2) {
+    throw Error(Fault{FaultCode::malformed_document,
+                      "a table of points needs two columns; this one has one", std::nullopt,
+                      "columns", 1.0, 2.0});
+  }
+  std::vector<Vector2<double>> points;
+  points.reserve(table.row_count());
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    points.push_back({table.at(row, x), table.at(row, y)});
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<Vector2<double>> read_points(const std::string& file,
+                                         const std::vector<std::string>& columns) {
+  const std::string name = file == "-" ? "standard input" : file;
+  const std::string text = read_file(file).value();
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && (text[first] == '[' || text[first] == '{')) {
+    return from_json(text, name);
+  }
+  return from_table(read_table(text, name).value(), columns);
+}
+
+}  // namespace hodograph::cli
