@@ -257,20 +257,22 @@ constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& 
   const auto& reciprocals = constant_table<R, ReciprocalBinomials<R, 2 * n>>();
   std::array<V, n + 1> scaled;
   unrolled<n + 1, S>(
-      [&](std::size_t i) { scaled[i] = i == 0 || i == n ? f[i] : S(row[i]) * f[i]; });
+      [&, &row = row](std::size_t i) { scaled[i] = i == 0 || i == n ? f[i] : S(row[i]) * f[i]; });
   BernsteinPolynomial<std::remove_cvref_t<decltype(finish(form(f[0], f[0])))>, 2 * n> h;
-  unrolled<2 * n + 1, S>([&](std::size_t k) __attribute__((always_inline)) {
-    std::size_t i = k > n ? k - n : 0;
-    if (2 * i == k) {
-      h[k] = finish(form(scaled[i], scaled[i]));
-    } else {
-      auto sum = form(scaled[i], scaled[k - i]);
-      for (++i; 2 * i < k; ++i) sum = sum + form(scaled[i], scaled[k - i]);
-      sum = sum + sum;
-      if (2 * i == k) sum = sum + form(scaled[i], scaled[i]);
-      h[k] = finish(S(reciprocals[k]) * sum);
-    }
-  });
+  unrolled<2 * n + 1, S>([&, &reciprocals = reciprocals ](std::size_t k)
+                             __attribute__((always_inline)) {
+                               std::size_t i = k > n ? k - n : 0;
+                               if (2 * i == k) {
+                                 h[k] = finish(form(scaled[i], scaled[i]));
+                               } else {
+                                 auto sum = form(scaled[i], scaled[k - i]);
+                                 for (++i; 2 * i < k; ++i)
+                                   sum = sum + form(scaled[i], scaled[k - i]);
+                                 sum = sum + sum;
+                                 if (2 * i == k) sum = sum + form(scaled[i], scaled[i]);
+                                 h[k] = finish(S(reciprocals[k]) * sum);
+                               }
+                             });
   return h;
 }
 
