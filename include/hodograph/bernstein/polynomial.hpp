@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <functional>
 #include <type_traits>
-#include <utility>
 
 #include "hodograph/bernstein/weights.hpp"
 
@@ -32,10 +31,8 @@ using scalar_of_t = typename ScalarOf<V>::type;
 template <std::size_t count, class S, class Body>
 [[gnu::always_inline]] constexpr void unrolled(const Body& body) {
   if constexpr (std::is_floating_point_v<S>) {
-    [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
-      (body(i), ...);
-    }
-    (std::make_index_sequence<count>{});
+#pragma GCC unroll 64
+    for (std::size_t i = 0; i < count; ++i) body(i);
   } else {
     for (std::size_t i = 0; i < count; ++i) body(i);
   }
@@ -245,8 +242,20 @@ constexpr auto product(const BernsteinPolynomial<V, m>& f, const BernsteinPolyno
   return h;
 }
 
+/// Σ form(f_i, f_j) over i + j = k, equal terms taken once and doubled.
+template <std::size_t n, class V, class Form>
+[[gnu::always_inline]] constexpr auto symmetric_sum(const std::array<V, n + 1>& f, std::size_t k,
+                                                    const Form& form) {
+  std::size_t i = k > n ? k - n : 0;
+  auto sum = form(f[i], f[k - i]);
+  if (2 * i == k) return sum;
+  for (++i; 2 * i < k; ++i) sum = sum + form(f[i], f[k - i]);
+  sum = sum + sum;
+  return 2 * i == k ? sum + form(f[i], f[i]) : sum;
+}
+
 /// The product of f with itself under a symmetric bilinear form: half the work of product(f, f).
-///   C(2n,k) h_k = Σ_{i+j=k} form(C(n,i) f_i, C(n,j) f_j), equal terms taken once and doubled.
+///   C(2n,k) h_k = Σ_{i+j=k} form(C(n,i) f_i, C(n,j) f_j)
 /// A form may return a value that is only summed and scaled, from which finish makes the result.
 template <class V, std::size_t n, class Form, class Finish = std::identity>
 constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& form,
@@ -259,20 +268,10 @@ constexpr auto symmetric_square(const BernsteinPolynomial<V, n>& f, const Form& 
   unrolled<n + 1, S>(
       [&, &row = row](std::size_t i) { scaled[i] = i == 0 || i == n ? f[i] : S(row[i]) * f[i]; });
   BernsteinPolynomial<std::remove_cvref_t<decltype(finish(form(f[0], f[0])))>, 2 * n> h;
-  unrolled<2 * n + 1, S>([&, &reciprocals = reciprocals ](std::size_t k)
-                             __attribute__((always_inline)) {
-                               std::size_t i = k > n ? k - n : 0;
-                               if (2 * i == k) {
-                                 h[k] = finish(form(scaled[i], scaled[i]));
-                               } else {
-                                 auto sum = form(scaled[i], scaled[k - i]);
-                                 for (++i; 2 * i < k; ++i)
-                                   sum = sum + form(scaled[i], scaled[k - i]);
-                                 sum = sum + sum;
-                                 if (2 * i == k) sum = sum + form(scaled[i], scaled[i]);
-                                 h[k] = finish(S(reciprocals[k]) * sum);
-                               }
-                             });
+  unrolled<2 * n + 1, S>([&, &reciprocals = reciprocals](std::size_t k) {
+    const auto sum = symmetric_sum<n>(scaled, k, form);
+    h[k] = k == 0 || k == 2 * n ? finish(sum) : finish(S(reciprocals[k]) * sum);
+  });
   return h;
 }
 

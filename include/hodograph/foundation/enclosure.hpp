@@ -75,6 +75,7 @@ class Enclosure {
     const double low = std::min(std::min(p, q), std::min(r, s));
     const double high = std::max(std::max(p, q), std::max(r, s));
     if (!a.is_bounded() || !b.is_bounded()) return whole_line();
+    if (low == high && (a.is_zero() || b.is_zero())) return Enclosure(0.0);
     return with_sign(outward(low, high), a, b);
   }
   friend constexpr Enclosure operator/(const Enclosure& a, const Enclosure& b) {

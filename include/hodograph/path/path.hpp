@@ -274,6 +274,11 @@ Result<Path<A, n>> Path<A, n>::create(std::vector<Scalar> knots, std::vector<Cur
     sum = next;
     const Scalar total = sum + compensation;
     path.arc_lengths_[k + 1] = total < path.arc_lengths_[k] ? path.arc_lengths_[k] : total;
+    if (!is_finite(total)) {
+      return path_detail::fault_at(FaultCode::not_finite, k, "arc_length", to_double(length),
+                                   "the arc length up to the end of segment " + std::to_string(k) +
+                                       " exceeds the range of numbers");
+    }
   }
   if (closed) {
     if (auto fault = path_detail::join_fault(segments.back(), segments.front(), 0)) return *fault;
