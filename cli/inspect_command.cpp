@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 // hodograph inspect: what a path is and what its document promises.
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/json.hpp"
 #include "cli/options.hpp"
+#include "cli/planar_facts.hpp"
+#include "cli/point_state.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/document.hpp"
 
@@ -46,6 +53,72 @@ std::string text_of(const Rows& rows) {
   return out;
 }
 
+/// "3, at xi 0.25, 0.5, 0.75": the first few alone where there are many.
+std::string listed(const std::vector<CurvaturePlace>& places) {
+  constexpr std::size_t most_listed = 6;
+  std::string text = std::to_string(places.size());
+  for (std::size_t i = 0; i < std::min(places.size(), most_listed); ++i) {
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), "%.6g", places[i].xi);
+    text += std::string(i == 0 ? ", at xi " : ", ") + number.data();
+  }
+  return text + (places.size() > most_listed ? ", ..." : "");
+}
+
+std::string limit(const Enclosure& distance, const char* side) {
+  return std::isinf(distance.upper()) ? std::string("any to the ") + side
+                                      : to_text(distance.lower()) + " to the " + side;
+}
+
+/// Where an extreme value of the curvature is reached: ", at xi 0.5"; nothing where that is not
+/// found.
+std::string place_of(const Enclosure& extreme, const PlanarFacts& facts, const AnyPath& path) {
+  const auto at = [](double xi) {
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), "%.6g", xi);
+    return std::string(", at xi ") + number.data();
+  };
+  for (const CurvaturePlace& place : facts.curvature_extremes) {
+    if (place.curvature.lower() <= extreme.upper() && extreme.lower() <= place.curvature.upper()) {
+      return at(place.xi);
+    }
+  }
+  constexpr std::size_t most_tried = 2000;  // knots; more would cost more than they tell
+  if (path.segment_count() > most_tried) return "";
+  // Computed curvatures carry some roundings.
+  constexpr double roundings = 4096 * std::numeric_limits<double>::epsilon();
+  const double allowed = roundings * extreme.magnitude();
+  for (const double xi : path.knots()) {
+    const double curvature = state_at(path, xi).curvature;
+    if (extreme.lower() - allowed <= curvature && curvature <= extreme.upper() + allowed) {
+      return at(xi);
+    }
+  }
+  return "";
+}
+
+/// What is known of a path in the plane alone.
+Rows rows_of(const PlanarFacts& facts, const AnyPath& path, const std::string& unit) {
+  const std::string area_unit = unit.empty() ? "" : unit + "^2";
+  Rows rows;
+  rows.emplace_back("rotation index in", range(facts.rotation_index) + " rad");
+  rows.emplace_back("absolute rotation in", range(facts.absolute_rotation_index) + " rad");
+  rows.emplace_back("bending energy in", facts.bending_energy
+                                             ? range(*facts.bending_energy)
+                                             : std::string("no bound: the path may stand still"));
+  if (path.is_closed())
+    rows.emplace_back("signed area in", with_unit(range(facts.signed_area), area_unit));
+  rows.emplace_back("smallest curvature in", range(facts.smallest_curvature) +
+                                                 place_of(facts.smallest_curvature, facts, path));
+  rows.emplace_back("largest curvature in", range(facts.largest_curvature) +
+                                                place_of(facts.largest_curvature, facts, path));
+  rows.emplace_back("curvature extremes", listed(facts.curvature_extremes));
+  rows.emplace_back("inflections", listed(facts.inflections));
+  rows.emplace_back("offsets without cusp", limit(facts.offset_limit_left, "left") + ", " +
+                                                limit(facts.offset_limit_right, "right"));
+  return rows;
+}
+
 Rows rows_of(const PathDocument& document, const PathFacts& facts) {
   const AnyPath& path = document.path;
   const std::string& unit = document.length_unit;
@@ -63,6 +136,9 @@ Rows rows_of(const PathDocument& document, const PathFacts& facts) {
   rows.emplace_back("largest speed in", range(facts.largest_speed));
   rows.emplace_back("curvature at most", to_text(facts.curvature_bound));
   rows.emplace_back("continuity", orders(facts.continuity));
+  if (const auto planar = planar_facts_of(path)) {
+    for (auto& row : rows_of(*planar, path, unit)) rows.push_back(std::move(row));
+  }
   if (facts.holonomy) {
     rows.emplace_back("frame after one round",
                       "rolled by " + to_text(facts.holonomy->roll) + " rad" +
@@ -111,7 +187,9 @@ void run(const InspectFlags& flags) {
   const PathFacts facts = facts_of(document.path);
   if (!flags.json) return print(text_of(rows_of(document, facts)));
   std::string out;
-  append_json(out, json_of(document, facts));
+  Json json = json_of(document, facts);
+  if (const auto planar = planar_facts_of(document.path)) json["planar"] = json_of(*planar);
+  append_json(out, json);
   print(out + "\n");
 }
 

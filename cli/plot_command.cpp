@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // hodograph plot: pictures of a path as SVG.
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/drawing.hpp"
 #include "cli/fitting.hpp"
 #include "cli/options.hpp"
+#include "cli/planar_drawing.hpp"
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/svg.hpp"
@@ -16,11 +19,30 @@ namespace {
 struct PlotFlags {
   std::string document, output = "-", view = "path";
   std::size_t frames = 24;
+  double comb_scale_given = 0.0;
+  std::optional<double> comb_scale;
+  std::vector<double> offsets;
 };
 
 constexpr std::size_t drawn_points = 2000;
 
+/// The pictures that there are of planar paths alone.
+Plot planar_picture(const PlotFlags& flags, const PathDocument& document) {
+  if (flags.view == "profile") return curvature_profile(document);
+  std::vector<PathOffset> offsets;
+  for (const double distance : flags.offsets) {
+    offsets.push_back(offset_of(document.path, distance));
+  }
+  if (flags.view != "comb") return offset_picture(document, offsets);
+  Plot plot = curvature_comb(document, flags.comb_scale);
+  add_offsets(plot, document.path, offsets);
+  return plot;
+}
+
 std::string picture(const PlotFlags& flags, const PathDocument& document) {
+  if (flags.view == "comb" || flags.view == "profile" || !flags.offsets.empty()) {
+    return to_svg(planar_picture(flags, document));
+  }
   if (flags.view == "quantities" || flags.view == "all") {
     ReportData data;
     data.title = document.name;
@@ -61,7 +83,8 @@ void run(const PlotFlags& flags) {
 std::unique_ptr<Command> plot_command(CLI::App& program) {
   auto flags = std::make_shared<PlotFlags>();
   auto command = std::make_unique<Command>(
-      program, "plot", "Draw a path with its frames, or its quantities along xi, as SVG.");
+      program, "plot",
+      "Draw a path with its frames, its quantities along xi, its curvature or offsets, as SVG.");
   command
       ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
       .required();
@@ -69,16 +92,37 @@ std::unique_ptr<Command> plot_command(CLI::App& program) {
   command
       ->option("--view", flags->view, "VIEW",
                "path (default): all projections; xy, xz or yz: one of them; quantities: speed, "
-               "curvature, torsion and angular velocity; all")
-      .one_of({"path", "xy", "xz", "yz", "quantities", "all"});
+               "curvature, torsion and angular velocity; all; of paths in the plane also comb: "
+               "curvature as teeth on the path, and profile: curvature along the arc length, "
+               "extremes and inflections marked")
+      .one_of({"path", "xy", "xz", "yz", "quantities", "all", "comb", "profile"});
   constexpr std::size_t most_frames = 1000;
   command->option("--frames", flags->frames, "N", "how many frames are drawn (default 24)")
       .whole_number(0, most_frames);
+  const Option comb_scale =
+      command->option("--comb-scale", flags->comb_scale_given, "C",
+                      "length of the comb's teeth where the curvature is 1 (default: so that the "
+                      "longest is a fifth of the picture)");
+  constexpr int most_offsets = 1000;
+  command
+      ->option("--offset", flags->offsets, "D,...",
+               "paths in the plane: draw the offsets at these distances, positive to the left")
+      .list(1, most_offsets);
   command->group("Files");
   command->option("-o,--out", flags->output, "FILE", "the picture (default: standard output)");
   command->examples({"hodograph plot gateway.json -o gateway.svg",
-                     "hodograph plot gateway.json --view quantities -o rates.svg"});
-  command->run([flags] { run(*flags); });
+                     "hodograph plot gateway.json --view quantities -o rates.svg",
+                     "hodograph plot path.json --view comb --offset 0.1,-0.1 -o comb.svg"});
+  command->run([flags, comb_scale] {
+    if (comb_scale.given()) flags->comb_scale = flags->comb_scale_given;
+    require_distances(flags->offsets);
+    if (!flags->offsets.empty() && flags->view != "path" && flags->view != "comb") {
+      throw Error(Fault{FaultCode::unsupported,
+                        "offsets are drawn in the views path and comb; the view is " + flags->view,
+                        std::nullopt, "offset", std::nullopt, std::nullopt});
+    }
+    run(*flags);
+  });
   return command;
 }
 
