@@ -194,5 +194,20 @@ TEST(BendingEnergy, OfACuspIsRefusedAndOfALineIsZero) {
   EXPECT_EQ(bending_energy(path_of(BernsteinPolynomial<Complex<double>, 0>({end}))).value(), 0.0);
 }
 
+TEST(BendingEnergy, OfAStopAtAnEndIsRefused) {
+  // Quadratic preimages that vanish at the end, at the beginning, and both.
+  const Complex<double> none{}, one{1.0, 0.0}, turned{0.5, 0.5};
+  using Quadratic = BernsteinPolynomial<Complex<double>, 2>;
+  for (const Quadratic& stop : {Quadratic({one, turned, none}), Quadratic({none, turned, one}),
+                                Quadratic({none, one, none})}) {
+    const auto energy = bending_energy(path_of(stop));
+    const auto enclosure = bending_energy_enclosure(path_of(stop));
+    const bool straight = stop[0] == none && stop[2] == none;
+    EXPECT_EQ(energy.has_value(), straight);
+    EXPECT_EQ(enclosure.has_value(), straight);
+    if (!straight) EXPECT_EQ(enclosure.fault().code, FaultCode::zero_speed);
+  }
+}
+
 }  // namespace
 }  // namespace hodograph

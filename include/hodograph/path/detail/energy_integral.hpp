@@ -95,7 +95,7 @@ class EnergyIntegral {
         --count;
         continue;
       }
-      if (count == deepest || pieces == most_pieces) return std::nullopt;
+      if (count == deepest || pieces >= most_pieces) return std::nullopt;
       const double middle = 0.5 * (part.a + part.b);
       stack[count - 1] = {middle, part.b};
       stack[count++] = {part.a, middle};
