@@ -2,7 +2,6 @@
 // hodograph inspect: what a path is and what its document promises.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <memory>
@@ -66,8 +65,9 @@ std::string listed(const std::vector<CurvaturePlace>& places) {
 }
 
 std::string limit(const Enclosure& distance, const char* side) {
-  return std::isinf(distance.upper()) ? std::string("any to the ") + side
-                                      : to_text(distance.lower()) + " to the " + side;
+  return distance.lower() == std::numeric_limits<double>::max()
+             ? std::string("any to the ") + side
+             : to_text(distance.lower()) + " to the " + side;
 }
 
 /// Where an extreme value of the curvature is reached: ", at xi 0.5"; nothing where that is not

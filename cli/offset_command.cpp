@@ -111,7 +111,7 @@ std::string table_of(const std::vector<PathOffset>& offsets, const CuspFreeOffse
     text += offset.cusps.size() > most_listed ? ", ...\n" : "\n";
   }
   const auto limit = [](const Enclosure& one, const char* side) {
-    return one.upper() == std::numeric_limits<double>::infinity()
+    return one.lower() == std::numeric_limits<double>::max()
                ? std::string("any distance to the ") + side
                : to_text(one.lower()) + " to the " + side;
   };
