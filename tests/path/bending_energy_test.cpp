@@ -205,7 +205,9 @@ TEST(BendingEnergy, OfAStopAtAnEndIsRefused) {
     const bool straight = stop[0] == none && stop[2] == none;
     EXPECT_EQ(energy.has_value(), straight);
     EXPECT_EQ(enclosure.has_value(), straight);
-    if (!straight) EXPECT_EQ(enclosure.fault().code, FaultCode::zero_speed);
+    if (!straight) {
+      EXPECT_EQ(enclosure.fault().code, FaultCode::zero_speed);
+    }
   }
 }
 
