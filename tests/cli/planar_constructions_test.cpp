@@ -81,8 +81,9 @@ TEST(HermiteCommand, HasTheLengthThatWasAskedFor) {
   expect_refused(program.run({"hermite", "--begin", "0,0", "--begin-deg", "45", "--end", "1,0",
                               "--end-deg", "60", "--length", "0.9"}),
                  "0.9", 3);
-  expect_refused(program.run({"hermite", "--begin", "0,0", "--end", "1,0", "--length", "2"}),
-                 "--begin-direction");
+  expect_refused(program.run({"hermite", "--begin", "0,0", "--begin-deg", "9", "--end", "1,0",
+                              "--length", "2"}),
+                 "--end-direction");
   expect_refused(program.run({"hermite", "--begin", "0,0", "--end", "1,0"}), "--begin-derivative");
   expect_refused(program.run({"hermite", "--begin", "0", "--end", "1,0"}), "--begin");
 }

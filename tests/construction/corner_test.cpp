@@ -51,7 +51,7 @@ TEST(Corner, AgreesWithTheGoldenValues) {
     EXPECT_NEAR(found->shape.arc_length, expected["S"].number(), tolerance * leg);
     EXPECT_NEAR(found->curve.arc_length(), expected["S"].number(), tolerance * leg);
     EXPECT_NEAR(found->shape.deviation, expected["delta"].number(), tolerance * leg);
-    const Vector2<double> middle = golden_point(expected["mid_point"]);
+    const Vector2<double> middle = golden_plane_point(expected["mid_point"]);
     EXPECT_LE(largest_component(found->curve.position(0.5) - middle), tolerance * leg);
     for (const Json& sample : expected["kappa_samples"].list()) {
       EXPECT_NEAR(curvature(found->curve, sample["xi"].number()), sample["kappa"].number(),
@@ -156,7 +156,7 @@ TEST(RoundedPolyline, AgreesWithTheGoldenValues) {
   for (const Json& item : golden["corner_path"].list()) {
     std::vector<Vector2<double>> points;
     for (const Json& vertex : item["input"]["vertices"].list())
-      points.push_back(golden_point(vertex));
+      points.push_back(golden_plane_point(vertex));
     const double most = item["input"]["kappa_max"].number();
     const Json& expected = item["expected"];
     const double tolerance = 16 * item["rel_tol"].number();

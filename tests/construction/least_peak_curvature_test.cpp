@@ -37,8 +37,8 @@ TEST(LeastPeakCurvature, OfEqualSpeedsAgreesWithTheGoldenMinimisers) {
     const Json &in = item["input"], &expected = item["expected"];
     const SpeedRange range{in["l_range"][0].number(), in["l_range"][1].number()};
     const auto found = least_peak_curvature_of_equal_speeds(
-        at(golden_point(in["q0"]), in["theta0"].number()),
-        at(golden_point(in["q1"]), in["theta1"].number()), 10.0, range);
+        at(golden_plane_point(in["q0"]), in["theta0"].number()),
+        at(golden_plane_point(in["q1"]), in["theta1"].number()), 10.0, range);
     ASSERT_TRUE(found) << found.fault().sentence;
     const double tolerance = item["rel_tol"].number();
     EXPECT_NEAR(found->begin_speed, expected["l"].number(), tolerance * expected["l"].number());

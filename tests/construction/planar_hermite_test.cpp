@@ -37,8 +37,8 @@ TEST(PlanarHermite, FindsTheGoldenSolutionsInTheirOrder) {
   for (const Json& item : golden["hermite"].list()) {
     const Json& in = item["input"];
     const auto data =
-        hermite_data_of_control_points(golden_point(in["p0"]), golden_point(in["p1"]),
-                                       golden_point(in["p4"]), golden_point(in["p5"]));
+        hermite_data_of_control_points(golden_plane_point(in["p0"]), golden_plane_point(in["p1"]),
+                                       golden_plane_point(in["p4"]), golden_plane_point(in["p5"]));
     const auto found = planar_hermite_solutions(data[0], data[1]);
     ASSERT_TRUE(found) << item["name"].string();
     const auto& expected = item["expected"]["solutions"].list();

@@ -41,8 +41,9 @@ void expect_conditions(const PlanarPhCurve<2>& curve, const DirectedPoint& begin
 
 void expect_golden(const Json& item) {
   const Json& in = item["input"];
-  const DirectedPoint begin{golden_point(in["q_s"]), direction_of_angle(in["phi_s"].number())};
-  const DirectedPoint end{golden_point(in["q_e"]), direction_of_angle(in["phi_e"].number())};
+  const DirectedPoint begin{golden_plane_point(in["q_s"]),
+                            direction_of_angle(in["phi_s"].number())};
+  const DirectedPoint end{golden_plane_point(in["q_e"]), direction_of_angle(in["phi_e"].number())};
   const double length = in["S"].number();
   const auto found = prescribed_length_solutions(begin, end, length);
   ASSERT_TRUE(found) << item["name"].string() << ": " << found.fault().sentence;
@@ -85,9 +86,9 @@ TEST(PrescribedLength, OfVehiclesThatArriveTogether) {
     const Json& in = item["input"];
     const auto& vehicles = item["expected"]["vehicles"].list();
     for (std::size_t k = 0; k < vehicles.size(); ++k) {
-      const DirectedPoint begin{golden_point(in["start"][k]),
+      const DirectedPoint begin{golden_plane_point(in["start"][k]),
                                 direction_of_angle(in["directions"][k][0].number())};
-      const DirectedPoint end{golden_point(in["end"][k]),
+      const DirectedPoint end{golden_plane_point(in["end"][k]),
                               direction_of_angle(in["directions"][k][1].number())};
       const auto found = prescribed_length_curve(begin, end, in["S"].number());
       ASSERT_TRUE(found) << item["name"].string() << ": " << found.fault().sentence;
@@ -115,8 +116,8 @@ TEST(PrescribedLength, RefusesTheGoldenPlanarImpossibilities) {
     if (!(length > 0.0) || !std::isfinite(length)) continue;  // a refusal of the climb
     if (in["theta"].number() >= pi / 2) continue;
     const auto found = prescribed_length_curve(
-        {golden_point(in["r_s"]), direction_of_angle(in["phi_s"].number())},
-        {golden_point(in["r_e"]), direction_of_angle(in["phi_e"].number())}, length);
+        {golden_plane_point(in["r_s"]), direction_of_angle(in["phi_s"].number())},
+        {golden_plane_point(in["r_e"]), direction_of_angle(in["phi_e"].number())}, length);
     ASSERT_FALSE(found) << item["name"].string();
     EXPECT_EQ(found.fault().code, FaultCode::no_interpolant);
   }

@@ -34,7 +34,7 @@ inline std::array<Complex<double>, 3> golden_preimage(const Json& list) {
   return w;
 }
 
-inline Vector2<double> golden_point(const Json& list) {
+inline Vector2<double> golden_plane_point(const Json& list) {
   return {list[0].number(), list[1].number()};
 }
 

@@ -88,7 +88,7 @@ BernsteinPolynomial<V, m> part_of(const BernsteinPolynomial<V, m>& f, const Encl
 }
 
 /// A place where two curves may meet. Parameters may lie beyond [0, 1] by the rounding of a join.
-struct Meeting {
+struct CurveMeeting {
   Enclosure u, v;
   bool certain = false;        ///< exactly one common point, where the tangents are not parallel
   int turn = 0;                ///< for a certain one, the sign of cross(P', Q')
@@ -106,7 +106,7 @@ class CurveMeetings {
   CurveMeetings(const PlaneCurve<d>& p, const PlaneCurve<e>& q) : p_(p), q_(q) {}
 
   /// Every common point lies in one of the meetings.
-  std::vector<Meeting> run() {
+  std::vector<CurveMeeting> run() {
     const Enclosure u(-p_.reach_begin, 1.0 + p_.reach_end);
     const Enclosure v(-q_.reach_begin, 1.0 + q_.reach_end);
     open_.push_back({u, v, part_of(p_.position, u), part_of(q_.position, v)});
@@ -229,7 +229,7 @@ class CurveMeetings {
     }
     // Beyond the pair's own box it is found again by a neighbour, or lies beyond an end.
     if (touch(u, pair.u) && touch(v, pair.v)) {
-      const bool known = std::any_of(certain_.begin(), certain_.end(), [&](const Meeting& m) {
+      const bool known = std::any_of(certain_.begin(), certain_.end(), [&](const CurveMeeting& m) {
         return touch(m.u, u) && touch(m.v, v) && inside(u, m.u_alone) && inside(v, m.v_alone);
       });
       if (!known) certain_.push_back({u, v, true, turn, u_alone, v_alone});
@@ -255,16 +255,16 @@ class CurveMeetings {
 
   /// Joins the undecided boxes that touch, and drops those in which the only common point is a
   /// certain one.
-  std::vector<Meeting> settled() {
-    std::erase_if(undecided_, [&](const Meeting& box) {
-      return std::any_of(certain_.begin(), certain_.end(), [&](const Meeting& m) {
+  std::vector<CurveMeeting> settled() {
+    std::erase_if(undecided_, [&](const CurveMeeting& box) {
+      return std::any_of(certain_.begin(), certain_.end(), [&](const CurveMeeting& m) {
         return inside(box.u, m.u_alone) && inside(box.v, m.v_alone);
       });
     });
-    std::vector<Meeting> result = joined_boxes(undecided_);
-    for (const Meeting& m : certain_) {
+    std::vector<CurveMeeting> result = joined_boxes(undecided_);
+    for (const CurveMeeting& m : certain_) {
       // One that touches a cluster becomes part of it.
-      const auto cluster = std::find_if(result.begin(), result.end(), [&](const Meeting& c) {
+      const auto cluster = std::find_if(result.begin(), result.end(), [&](const CurveMeeting& c) {
         return !c.certain && touch(c.u, m.u) && touch(c.v, m.v);
       });
       if (cluster == result.end()) {
@@ -277,7 +277,7 @@ class CurveMeetings {
     return result;
   }
 
-  static std::vector<Meeting> joined_boxes(const std::vector<Meeting>& boxes) {
+  static std::vector<CurveMeeting> joined_boxes(const std::vector<CurveMeeting>& boxes) {
     std::vector<std::size_t> leader(boxes.size());
     std::iota(leader.begin(), leader.end(), std::size_t{0});
     const auto find = [&](std::size_t i) {
@@ -291,7 +291,7 @@ class CurveMeetings {
         }
       }
     }
-    std::vector<Meeting> clusters;
+    std::vector<CurveMeeting> clusters;
     std::vector<std::size_t> place(boxes.size(), boxes.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const std::size_t root = find(i);
@@ -299,7 +299,7 @@ class CurveMeetings {
         place[root] = clusters.size();
         clusters.push_back(boxes[i]);
       } else {
-        Meeting& m = clusters[place[root]];
+        CurveMeeting& m = clusters[place[root]];
         m.u = Enclosure::hull(m.u, boxes[i].u);
         m.v = Enclosure::hull(m.v, boxes[i].v);
       }
@@ -310,7 +310,7 @@ class CurveMeetings {
   const PlaneCurve<d>& p_;
   const PlaneCurve<e>& q_;
   std::vector<Pair> open_;
-  std::vector<Meeting> certain_, undecided_;
+  std::vector<CurveMeeting> certain_, undecided_;
 };
 
 }  // namespace hodograph::path_detail

@@ -183,7 +183,7 @@ class PathMeetings {
   void add(std::size_t i, std::size_t j) {
     const auto p = plane_curve(first_.segment(i), origin_);
     const auto q = plane_curve(second_.segment(j), origin_);
-    for (const Meeting& at : CurveMeetings<2 * n + 1, 2 * m + 1>(p, q).run()) {
+    for (const CurveMeeting& at : CurveMeetings<2 * n + 1, 2 * m + 1>(p, q).run()) {
       Joint joint{Place::of(first_, i, at.u, p), Place::of(second_, j, at.v, q), at.certain,
                   at.turn};
       if (!joint.u.is_on(first_, at.u) || !joint.v.is_on(second_, at.v)) joint.certain = false;
