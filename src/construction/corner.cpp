@@ -224,7 +224,6 @@ Result<PlanarPath<2>> rounded_polyline(std::span<const Vector2<double>> points,
   // Corner k is at the end of line k; its leg is 0 where the line passes straight (or ends).
   std::vector<Turn> turns(lines);
   std::vector<double> legs(lines, 0.0);
-  Line only;
   for (std::size_t k = 0; k < lines; ++k) {
     const bool is_corner = rule.closed || k + 1 < lines;
     if (!is_corner) {
