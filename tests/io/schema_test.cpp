@@ -12,6 +12,7 @@
 #include "document_samples.hpp"
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
+#include "support/schema_validator.hpp"
 #include "temporary_directory.hpp"
 
 namespace hodograph {
@@ -107,13 +108,9 @@ TEST_F(Schema, TheReaderKnowsTheSameMembers) {
   EXPECT_GT(count, 200U);
 }
 
-// The validator is Debian's python3-jsonschema.
 TEST_F(Schema, AnIndependentValidatorAgrees) {
-  if (std::system(
-          "python3 -c 'import jsonschema.validators as v; v.Draft202012Validator' 2>/dev/null") !=
-      0) {
-    GTEST_SKIP() << "python3-jsonschema (with draft 2020-12) is not installed";
-  }
+  const std::string python = test::python_with_jsonschema();
+  ASSERT_NE(python, "") << "needs Debian's python3-jsonschema";
   const TemporaryDirectory directory;
   Json all = Json::object();
   for (const auto& [name, document] : documents(good_)) all[name] = document;
@@ -133,7 +130,7 @@ wrong = [name for name, document in json.load(open(sys.argv[2], encoding="utf-8"
 print("\n".join(wrong))
 sys.exit(1 if wrong else 0)
 )"));
-  const std::string command = "python3 '" + directory.path("validate.py") + "' '" + schema_file +
+  const std::string command = python + " '" + directory.path("validate.py") + "' '" + schema_file +
                               "' '" + directory.path("documents.json") + "' > '" +
                               directory.path("wrong") + "' 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << read_file(directory.path("wrong")).value();
