@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "../tests/support/curves.hpp"
 #include "hodograph/construction/derivative_curve.hpp"
 #include "hodograph/construction/detail/hermite_batch.hpp"
 #include "support/measure.hpp"
@@ -16,17 +17,7 @@
 namespace {
 
 using namespace hodograph;
-
-/// Curve (23) of PHODCOS, run through faster for every turn.
-struct Curve23 {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    using std::cos;
-    using std::exp;
-    using std::sin;
-    return {S(1.5) * sin(S(7.2) * xi), cos(S(9.0) * xi), exp(cos(S(1.8) * xi))};
-  }
-};
+using test::Curve23;  // run through faster for every turn
 
 struct Data {
   std::vector<double> knots, steps;

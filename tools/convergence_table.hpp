@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "../tests/support/curves.hpp"
 #include "hodograph/construction/derivative_curve.hpp"
 #include "hodograph/construction/hermite.hpp"
 
@@ -18,14 +19,7 @@ namespace hodograph::convergence {
 
 using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>,
                                            boost::multiprecision::et_off>;
-
-/// Curve (23): (1.5 sin 7.2ξ, cos 9ξ, e^(cos 1.8ξ)), ξ in [0, 1].
-struct Curve23 {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    return {S(3) / S(2) * sin(S(36) / S(5) * xi), cos(S(9) * xi), exp(cos(S(9) / S(5) * xi))};
-  }
-};
+using test::Curve23;
 
 /// The largest |γ - p| on N uniform segments.
 struct Row {

@@ -8,56 +8,22 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/support/curves.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/true_error.hpp"
 
 namespace hodograph {
 namespace {
 
+using test::Curve23;
 using test::even_knots;
 using test::fitted_path;
+using test::Helix;
 using test::Random;
+using test::TorusKnot;
 using test::true_segment_error;
+using test::Viviani;
 using test::Wide;
-
-/// Curve (23) of PHODCOS.
-struct Curve23 {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    using std::cos;
-    using std::exp;
-    using std::sin;
-    return {S(1.5) * sin(S(7.2) * xi), cos(S(9.0) * xi), exp(cos(S(1.8) * xi))};
-  }
-};
-
-struct Helix {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    using std::cos;
-    using std::sin;
-    return {cos(xi), sin(xi), S(0.25) * xi};
-  }
-};
-
-struct TorusKnot {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    using std::cos;
-    using std::sin;
-    const S radius = S(2) + cos(S(3) * xi);
-    return {radius * cos(S(2) * xi), radius * sin(S(2) * xi), sin(S(3) * xi)};
-  }
-};
-
-struct Viviani {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    using std::cos;
-    using std::sin;
-    return {S(1) + cos(xi), sin(xi), S(2) * sin(S(0.5) * xi)};
-  }
-};
 
 /// Uses every elementary function of Taylor arithmetic; analytic for ξ > -1/2.
 struct Medley {

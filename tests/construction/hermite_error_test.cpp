@@ -6,11 +6,13 @@
 
 #include <algorithm>
 
+#include "tests/support/curves.hpp"
 #include "tests/support/true_error.hpp"
 
 namespace hodograph {
 namespace {
 
+using test::Curve23;
 using test::Wide;
 
 template <std::size_t m>
@@ -48,16 +50,6 @@ TEST(HermiteError, Constants) {
   EXPECT_TRUE(hermite_remainder_factor<4>().contains(1.0 / 3715891200.0));
   EXPECT_TRUE(hermite_remainder_factor<1>().contains(1.0 / 384.0));
 }
-
-struct Curve23 {
-  template <class S>
-  Vector3<S> operator()(const S& xi) const {
-    using std::cos;
-    using std::exp;
-    using std::sin;
-    return {S(1.5) * sin(S(7.2) * xi), cos(S(9.0) * xi), exp(cos(S(1.8) * xi))};
-  }
-};
 
 /// Enclosures of the first m derivatives of curve (23), from 60 digits.
 template <std::size_t m>
