@@ -11,20 +11,6 @@ namespace {
 using namespace hodograph;
 using Curve = PlanarPhCurve<2>;
 
-/// Quintics whose preimages vary by `wildness` about 1.
-std::vector<Curve> random_curves(std::size_t count, double wildness) {
-  bench::Numbers numbers;
-  std::vector<Curve> curves;
-  for (std::size_t k = 0; k < count; ++k) {
-    Curve::Preimage w;
-    for (std::size_t i = 0; i <= 2; ++i) {
-      w[i] = {1.0 + wildness * numbers.within(-1, 1), wildness * numbers.within(-1, 1)};
-    }
-    curves.emplace_back(Vector2<double>{}, w, 1.0);
-  }
-  return curves;
-}
-
 /// 64 evaluations of the integrand, at points that need not be the nodes: the time is the same.
 double by_64_nodes(const Curve& curve) {
   const auto& w = curve.preimage();
@@ -40,7 +26,7 @@ double by_64_nodes(const Curve& curve) {
 }
 
 void run(double wildness) {
-  const auto curves = random_curves(1000, wildness);
+  const auto curves = bench::random_quintics(1000, wildness);
   const auto all = [&](const auto& energy) {
     return [&curves, energy] {
       for (const Curve& curve : curves) bench::keep(energy(curve));

@@ -11,20 +11,6 @@ namespace {
 using namespace hodograph;
 using Curve = PlanarPhCurve<2>;
 
-/// Quintics whose preimages vary by `wildness` about 1.
-std::vector<Curve> random_curves(std::size_t count, double wildness) {
-  bench::Numbers numbers;
-  std::vector<Curve> curves;
-  for (std::size_t k = 0; k < count; ++k) {
-    Curve::Preimage w;
-    for (std::size_t i = 0; i <= 2; ++i) {
-      w[i] = {1.0 + wildness * numbers.within(-1, 1), wildness * numbers.within(-1, 1)};
-    }
-    curves.emplace_back(Vector2<double>{}, w, 1.0);
-  }
-  return curves;
-}
-
 /// The largest |κ| at 1000 samples, by the preimage and its derivative.
 double sampled(const Curve& curve) {
   constexpr int samples = 1000;
@@ -42,7 +28,7 @@ double sampled(const Curve& curve) {
 
 void run(double wildness) {
   constexpr std::size_t count = 1000;
-  const auto curves = random_curves(count, wildness);
+  const auto curves = bench::random_quintics(count, wildness);
   std::vector<double> limits;
   constexpr RangeGoal goal{std::numeric_limits<float>::epsilon()};
   for (const auto& curve : curves)

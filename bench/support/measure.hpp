@@ -97,4 +97,18 @@ SpatialPath<n> random_path(std::size_t segments, double wildness) {
   return SpatialPath<n>::create(std::move(knots), std::move(curves), false).value();
 }
 
+/// Planar quintics whose preimages vary by `wildness` about 1.
+inline std::vector<PlanarPhCurve<2>> random_quintics(std::size_t count, double wildness) {
+  Numbers numbers;
+  std::vector<PlanarPhCurve<2>> curves;
+  for (std::size_t k = 0; k < count; ++k) {
+    PlanarPhCurve<2>::Preimage w;
+    for (std::size_t i = 0; i <= 2; ++i) {
+      w[i] = {1.0 + wildness * numbers.within(-1, 1), wildness * numbers.within(-1, 1)};
+    }
+    curves.emplace_back(Vector2<double>{}, w, 1.0);
+  }
+  return curves;
+}
+
 }  // namespace hodograph::bench
