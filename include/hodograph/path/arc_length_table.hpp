@@ -36,6 +36,7 @@ class ArcLengthTable {
 
  private:
   static constexpr float width = 1.0F / static_cast<float>(pieces);
+  static constexpr float limited(float slope, float limit) { return slope < limit ? slope : limit; }
 
   /// B_i^n(k/8), a row for every i and a column for every k = 0..7.
   template <class R, std::size_t n>
@@ -67,9 +68,9 @@ ArcLengthTable::ArcLengthTable(const PhCurve<A, n>& curve) {
   }
   const double unit = inverse_length_ * to_double(curve.parameter_step());  // dx/du is unit · σ
 
-  // A guess in single precision: double will do for every scalar. The inner loops run over the
-  // nodes, so that the compiler puts them into lanes.
-  std::array<double, pieces + 1> x{}, rate{};
+  // A guess in single precision: double will do for every scalar. The loops run over the nodes, so
+  // that the compiler puts them into lanes.
+  std::array<double, pieces> x{}, rate{};
   const auto& c = curve.integral().coefficients();
   const auto& a = curve.preimage().coefficients();
   const auto& length_rows = constant_table<double, NodeValues<double, degree>>();
@@ -86,19 +87,27 @@ ArcLengthTable::ArcLengthTable(const PhCurve<A, n>& curve) {
     }
     for (std::size_t k = 0; k < pieces; ++k) rate[k] += (unit * value[k]) * value[k];
   }
-  x[pieces] = 1.0;
-  rate[pieces] = unit * to_double(S(speed_form(a.back(), a.back())));
+  std::array<float, pieces> next_begin, slope_here, slope_next;
   for (std::size_t k = 0; k < pieces; ++k) {
-    const double span = x[k + 1] - x[k];
     begin_[k] = static_cast<float>(x[k]);
-    if (!(span > 0.0)) continue;
-    // With the chord's slope q = width/span: the cubic with end slopes p and r, at most 3q.
-    const double chord = static_cast<double>(width) / span, limit = 3.0 * chord;
-    const double p = rate[k] * limit > 1.0 ? 1.0 / rate[k] : limit;
-    const double r = rate[k + 1] * limit > 1.0 ? 1.0 / rate[k + 1] : limit;
-    slope_[k] = static_cast<float>(p);
-    quadratic_[k] = static_cast<float>((3.0 * chord - 2.0 * p - r) / span);
-    cubic_[k] = static_cast<float>((p + r - 2.0 * chord) / (span * span));
+    slope_here[k] = static_cast<float>(rate[k]);
+  }
+  for (std::size_t k = 0; k + 1 < pieces; ++k) {
+    next_begin[k] = begin_[k + 1];
+    slope_next[k] = slope_here[k + 1];
+  }
+  next_begin.back() = 1.0F;
+  slope_next.back() = static_cast<float>(unit * to_double(S(speed_form(a.back(), a.back()))));
+  for (std::size_t k = 0; k < pieces; ++k) {
+    // With the chord's slope q = width/span: the cubic with end slopes p and r, at most 3q. A piece
+    // without a span is never asked: what is divided by zero here is not used.
+    const float share = 1.0F / (next_begin[k] - begin_[k]);
+    const float chord = width * share, limit = 3.0F * chord;
+    const float p = limited(1.0F / slope_here[k], limit);
+    const float r = limited(1.0F / slope_next[k], limit);
+    slope_[k] = p;
+    quadratic_[k] = (3.0F * chord - 2.0F * p - r) * share;
+    cubic_[k] = (p + r - 2.0F * chord) * (share * share);
   }
 }
 

@@ -26,12 +26,13 @@ class IntervalIndex {
     buckets_per_unit_ = S(0) < width ? S(buckets) / width : S(0);
     if (!is_finite(buckets_per_unit_)) buckets_per_unit_ = S(0);
     // bucket_start_[b]: the last interval whose left end falls into a bucket before b (or 0).
-    std::uint32_t k = 0;
     const auto intervals = static_cast<std::uint32_t>(breakpoints.size() - 1);
-    for (std::size_t b = 0; b < bucket_start_.size(); ++b) {
-      while (k + 1 < intervals && bucket(breakpoints, breakpoints[k + 1]) < b) ++k;
-      bucket_start_[b] = k;
+    std::size_t b = 0;
+    for (std::uint32_t k = 0; k + 1 < intervals; ++k) {
+      const std::size_t next = bucket(breakpoints, breakpoints[k + 1]);
+      for (; b <= next; ++b) bucket_start_[b] = k;
     }
+    for (; b < bucket_start_.size(); ++b) bucket_start_[b] = intervals - 1;
   }
 
   /// The k with b_k ≤ x < b_{k+1}; 0 below the first breakpoint, the last interval at and above
