@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
-# hodograph_component(<name> MODULES <folder>... [DEPENDS <component>...] [LINK <target>...])
+# hodograph_component(<name> MODULES <folder>... [FOLDERS <folder>...] [DEPENDS <component>...]
+#                     [LINK <target>...])
 #
-# One library, hodograph::<name>, of the sources src/<folder>/*.cpp; without sources (yet) it carries
-# only its headers. DEPENDS and LINK are passed on to whoever links it.
+# One library, hodograph::<name>, of the sources src/<folder>/*.cpp, FOLDERS being those inside a
+# module; without sources (yet) it carries only its headers. DEPENDS and LINK are passed on to whoever links it.
 
 function(hodograph_component name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "MODULES;DEPENDS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "MODULES;FOLDERS;DEPENDS;LINK")
   set(target hodograph_${name})
   list(TRANSFORM arg_DEPENDS PREPEND hodograph::)
 
   set(sources)
-  foreach(module IN LISTS arg_MODULES)
+  foreach(module IN LISTS arg_MODULES arg_FOLDERS)
     file(GLOB found CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${module}/*.cpp")
     list(APPEND sources ${found})
   endforeach()
