@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hodograph/construction/detail/banded_matrix.hpp"
+#include "hodograph/construction/detail/points_on_knots.hpp"
 
 namespace hodograph {
 namespace {
@@ -67,14 +68,8 @@ Fault uneven_fault() {
 template <std::size_t p>
 std::optional<Fault> sample_fault(std::span<const double> t,
                                   std::span<const Vector3<double>> points, SplineEnds ends) {
-  if (t.size() != points.size()) {
-    return Fault{FaultCode::mismatched_size,
-                 std::to_string(points.size()) + " points need as many parameters; got " +
-                     std::to_string(t.size()),
-                 std::nullopt,
-                 "parameters",
-                 static_cast<double>(t.size()),
-                 static_cast<double>(points.size())};
+  if (auto fault = construction_detail::size_fault(points.size(), t.size(), "parameters")) {
+    return fault;
   }
   const std::size_t least = ends == SplineEnds::periodic ? p + 2 : p + 1;
   if (points.size() < least) {

@@ -7,6 +7,7 @@
 
 #include "hodograph/construction/detail/planar_hermite_kernel.hpp"
 #include "hodograph/construction/detail/planar_solution.hpp"
+#include "hodograph/construction/detail/points_on_knots.hpp"
 #include "hodograph/path/rotation_index.hpp"
 
 namespace hodograph {
@@ -229,32 +230,8 @@ std::array<PlanarHermitePoint, 2> hermite_data_of_control_points(const Vector2<d
 
 Result<PlanarPath<2>> planar_hermite_path(std::vector<double> knots,
                                           std::span<const PlanarHermitePoint> points, bool closed) {
-  if (points.size() < 2) {
-    return Fault{FaultCode::too_few,
-                 "a path needs at least two points; got " + std::to_string(points.size()),
-                 std::nullopt,
-                 "points",
-                 static_cast<double>(points.size()),
-                 2.0};
-  }
-  if (knots.size() != points.size()) {
-    return Fault{FaultCode::mismatched_size,
-                 std::to_string(points.size()) + " points need as many knots; got " +
-                     std::to_string(knots.size()),
-                 std::nullopt,
-                 "knots",
-                 static_cast<double>(knots.size()),
-                 static_cast<double>(points.size())};
-  }
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    if (std::isfinite(knots[k]) && (k == 0 || knots[k - 1] < knots[k])) continue;
-    return Fault{FaultCode::not_increasing,
-                 "knots must be finite and increase strictly; knot " + std::to_string(k) + " is " +
-                     to_text(knots[k]),
-                 k,
-                 "knot",
-                 knots[k],
-                 std::nullopt};
+  if (auto fault = construction_detail::points_on_knots_fault<double>(points.size(), knots)) {
+    return *std::move(fault);
   }
   std::vector<PlanarPhCurve<2>> segments;
   segments.reserve(points.size() - 1);

@@ -286,6 +286,9 @@ TEST(HermiteRefusals, StepsAndKnots) {
   Fault fault = fault_of(hermite_path<4, double>({0.0, 0.0}, span));
   EXPECT_EQ(fault.code, FaultCode::not_increasing);
   EXPECT_EQ(fault.sentence, "knots must increase strictly; knot 1 is 0 after 0");
+  fault = fault_of(hermite_path<4, double>({-1e308, 1e308}, span));
+  EXPECT_EQ(fault.code, FaultCode::not_finite);
+  EXPECT_EQ(fault.sentence, "the step from knot -1e+308 to 1e+308 exceeds the range of numbers");
   fault = fault_of(hermite_path<4, double>({0.0, 1.0, 2.0}, span));
   EXPECT_EQ(fault.code, FaultCode::mismatched_size);
   EXPECT_EQ(fault.sentence, "2 points need as many knots; got 3");

@@ -269,6 +269,12 @@ TEST(PlanarHermitePath, IsContinuousWithItsPreimage) {
   EXPECT_EQ(planar_hermite_path({0.0, 1.0}, points).fault().code, FaultCode::mismatched_size);
   EXPECT_EQ(planar_hermite_path({0.0, 0.0}, std::span(points).first(2)).fault().code,
             FaultCode::not_increasing);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(planar_hermite_path({0.0, infinity}, std::span(points).first(2)).fault().code,
+            FaultCode::not_finite);
+  const double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(planar_hermite_path({-most, most}, std::span(points).first(2)).fault().code,
+            FaultCode::not_finite);
   points[1].position.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(planar_hermite_path(knots, points).fault().index, 1U);
 }

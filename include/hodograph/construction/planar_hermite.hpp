@@ -78,7 +78,7 @@ std::array<PlanarHermitePoint, 2> hermite_data_of_control_points(const Vector2<d
 
 /// The path through the points with their derivatives at the knots: C¹, the preimage continuous,
 /// sign included. Faults: as above with the index of the segment or point; mismatched_size, too_few
-/// (two points), not_increasing (the knots), and those of Path::create.
+/// (two points), not_increasing and not_finite (the knots), and those of Path::create.
 Result<PlanarPath<2>> planar_hermite_path(std::vector<double> knots,
                                           std::span<const PlanarHermitePoint> points,
                                           bool closed = false);

@@ -11,6 +11,7 @@
 #include "hodograph/foundation/accuracy.hpp"
 #include "hodograph/foundation/result.hpp"
 #include "hodograph/path/arc_length_table.hpp"
+#include "hodograph/path/detail/knots_fault.hpp"
 #include "hodograph/path/interval_index.hpp"
 
 namespace hodograph {
@@ -182,11 +183,6 @@ using SpatialPath = Path<Quaternion<S>, n>;
 
 namespace path_detail {
 
-inline Fault fault_at(FaultCode code, std::size_t index, const char* quantity, double value,
-                      std::string sentence) {
-  return {code, std::move(sentence), index, quantity, value, std::nullopt};
-}
-
 /// The fault of a join that does not meet, if there is one.
 template <class Curve>
 std::optional<Fault> join_fault(const Curve& before, const Curve& after, std::size_t knot) {
@@ -234,18 +230,9 @@ Result<Path<A, n>> Path<A, n>::create(std::vector<Scalar> knots, std::vector<Cur
                  static_cast<double>(knots.size()),
                  static_cast<double>(segments.size() + 1)};
   }
-  for (std::size_t k = 0; k < knots.size(); ++k) {
-    if (!is_finite(knots[k])) {
-      return path_detail::fault_at(FaultCode::not_finite, k, "knot", to_double(knots[k]),
-                                   "knot " + std::to_string(k) + " is not a finite number");
-    }
-    if (k > 0 && !(knots[k - 1] < knots[k])) {
-      return path_detail::fault_at(FaultCode::not_increasing, k, "knot", to_double(knots[k]),
-                                   "knots must increase strictly; knot " + std::to_string(k) +
-                                       " is " + to_text(to_double(knots[k])) + " after " +
-                                       to_text(to_double(knots[k - 1])));
-    }
-    if (k > 0 && !(segments[k - 1].parameter_step() == knots[k] - knots[k - 1])) {
+  if (auto fault = path_detail::knots_fault<Scalar>(knots)) return *std::move(fault);
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    if (!(segments[k - 1].parameter_step() == knots[k] - knots[k - 1])) {
       return path_detail::fault_at(
           FaultCode::not_increasing, k - 1, "parameter_step",
           to_double(segments[k - 1].parameter_step()),

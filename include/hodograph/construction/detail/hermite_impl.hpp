@@ -11,6 +11,7 @@
 
 #include "hodograph/construction/detail/hermite_batch.hpp"
 #include "hodograph/construction/detail/hermite_kernel.hpp"
+#include "hodograph/construction/detail/points_on_knots.hpp"
 #include "hodograph/construction/hermite.hpp"
 #if defined(__GNUC__)
 #include "hodograph/foundation/pack.hpp"
@@ -486,22 +487,8 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
                                            HermiteChoice choice, bool closed) {
   using namespace hermite_detail;
   using std::sqrt;
-  if (points.size() < 2) {
-    return Fault{FaultCode::too_few,
-                 "a path needs at least 2 points; got " + std::to_string(points.size()),
-                 std::nullopt,
-                 "points",
-                 static_cast<double>(points.size()),
-                 2.0};
-  }
-  if (knots.size() != points.size()) {
-    return Fault{FaultCode::mismatched_size,
-                 std::to_string(points.size()) + " points need as many knots; got " +
-                     std::to_string(knots.size()),
-                 std::nullopt,
-                 "knots",
-                 static_cast<double>(knots.size()),
-                 static_cast<double>(points.size())};
+  if (auto fault = construction_detail::points_on_knots_fault<S>(points.size(), knots)) {
+    return *std::move(fault);
   }
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (auto fault = point_fault<m, S>(points[k], k)) return *fault;
@@ -513,13 +500,6 @@ Result<SpatialPath<2 * m, S>> hermite_path(std::vector<S> knots,
   Roll<S> roll;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const S h = knots[k + 1] - knots[k];
-    if (auto fault = step_fault(h)) {
-      fault->code = FaultCode::not_increasing;
-      fault->index = k + 1;
-      fault->sentence = "knots must increase strictly; knot " + std::to_string(k + 1) + " is " +
-                        to_text(to_double(knots[k + 1])) + " after " + to_text(to_double(knots[k]));
-      return *fault;
-    }
     if (auto fault = sequence.make(k)) return *std::move(fault);
     const Segment<S, m>& segment = sequence.segment();
     segments.emplace_back(points[k][0], restored(segment.preimage, roll, scale), h);
