@@ -14,8 +14,7 @@ namespace hodograph::cli {
 namespace {
 
 struct CornerFlags {
-  std::string points;
-  std::vector<std::string> columns;
+  PointsFlags points;
   std::vector<double> before, at, after;
   std::optional<double> leg, most_curvature, most_deviation;
   bool closed = false;
@@ -59,7 +58,7 @@ void round_one(const CornerFlags& flags) {
 
 void round_all(const CornerFlags& flags) {
   if (flags.leg) refuse("--leg is for one corner; a polyline takes --curvature or --deviation");
-  const auto points = read_points(flags.points, flags.columns);
+  const auto points = flags.points.read();
   auto path = rounded_polyline(points, {.most_curvature = flags.most_curvature,
                                         .most_deviation = flags.most_deviation,
                                         .closed = flags.closed})
@@ -69,9 +68,9 @@ void round_all(const CornerFlags& flags) {
   if (flags.closed) polyline += norm(points.front() - points.back());
   const Rows more = {{"Polyline", to_six_digits(polyline) + " long, " +
                                       std::to_string(points.size()) + " points"}};
-  const std::string name = flags.points == "-" ? "standard input" : flags.points;
-  write_made_path(made_path(AnyPath(std::move(path)), "polyline: " + name, "G2 corners"),
-                  flags.output, more);
+  write_made_path(
+      made_path(AnyPath(std::move(path)), "polyline: " + flags.points.name(), "G2 corners"),
+      flags.output, more);
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ std::unique_ptr<Command> corner_command(CLI::App& program) {
       program, "corner",
       "Round one corner, or all corners of a polyline, with continuous curvature.");
   Option points = command->positional(
-      "points", flags->points, "[FILE]",
+      "points", flags->points.file, "[FILE]",
       "the polyline: CSV file of x and y, or a JSON list of [x, y] ('-': standard input)");
   command->group("One corner");
   Option at = command->option("--at", flags->at, "X,Y", "the corner point, instead of a file");
@@ -105,10 +104,7 @@ std::unique_ptr<Command> corner_command(CLI::App& program) {
   Option deviation = command->option("--deviation", numbers->deviation, "LENGTH",
                                      "the largest distance from the corner point");
   command->flag("--closed", flags->closed, "the polyline returns to its first point");
-  command
-      ->option("--columns", flags->columns, "X,Y",
-               "columns of the coordinates, by name or number (default: x and y, or the first two)")
-      .list(2, 2);
+  flags->points.add_columns_to(*command);
   flags->output.add_to(*command, "the path document (default path.json; '-': standard output)",
                        "an HTML report with pictures");
   command->examples(

@@ -38,7 +38,7 @@ Source source_of(const FitCommandFlags& flags) {
         "--help)",
         "samples");
   }
-  const std::string name = flags.samples == "-" ? "standard input" : flags.samples;
+  const std::string name = input_name(flags.samples);
   const Table table = read_table(read_file(flags.samples).value(), name).value();
   SampleColumns columns{flags.parameter_column, flags.point_columns};
   return SampleSource{curve_samples(table, columns, name).value(), name, flags.degree,

@@ -29,6 +29,8 @@ void distribute_roll(PathDocument& document) {
 
 }  // namespace
 
+std::string input_name(const std::string& file) { return file == "-" ? "standard input" : file; }
+
 void FitFlags::add_to(Command& command, const std::string& tolerance_help) {
   command.group("Fitting");
   command.option("-t,--tolerance", tolerance, "LENGTH", tolerance_help);

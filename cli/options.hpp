@@ -13,6 +13,9 @@
 
 namespace hodograph::cli {
 
+/// What sentences call an input file: "standard input" for "-".
+std::string input_name(const std::string& file);
+
 /// How to fit.
 struct FitFlags {
   double tolerance = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/points.hpp"
 
+#include "cli/options.hpp"
 #include "cli/requests/members.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
@@ -47,15 +48,22 @@ std::vector<Vector2<double>> from_table(const Table& table,
 
 }  // namespace
 
-std::vector<Vector2<double>> read_points(const std::string& file,
-                                         const std::vector<std::string>& columns) {
-  const std::string name = file == "-" ? "standard input" : file;
+void PointsFlags::add_columns_to(Command& command) {
+  command
+      .option("--columns", columns, "X,Y",
+              "columns of the coordinates, by name or number (default: x and y, or the first two)")
+      .list(2, 2);
+}
+
+std::string PointsFlags::name() const { return input_name(file); }
+
+std::vector<Vector2<double>> PointsFlags::read() const {
   const std::string text = read_file(file).value();
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && (text[first] == '[' || text[first] == '{')) {
-    return from_json(text, name);
+    return from_json(text, name());
   }
-  return from_table(read_table(text, name).value(), columns);
+  return from_table(read_table(text, name()).value(), columns);
 }
 
 }  // namespace hodograph::cli

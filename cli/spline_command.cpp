@@ -12,8 +12,7 @@ namespace hodograph::cli {
 namespace {
 
 struct SplineFlags {
-  std::string points;
-  std::vector<std::string> columns;
+  PointsFlags points;
   bool closed = false, merge = false;
   std::string knots = "uniform";
   OutputFlags output;
@@ -21,7 +20,7 @@ struct SplineFlags {
 
 void run(SplineFlags flags) {
   if (flags.output.document.empty()) flags.output.document = "path.json";
-  const auto points = read_points(flags.points, flags.columns);
+  const auto points = flags.points.read();
   PlanarSplineOptions options;
   options.closed = flags.closed;
   options.parameters =
@@ -43,8 +42,8 @@ void run(SplineFlags flags) {
   if (report.merged_points > 0) {
     more.emplace_back("Repeated points", std::to_string(report.merged_points) + " left out");
   }
-  const std::string source = "points: " + (flags.points == "-" ? "standard input" : flags.points) +
-                             "; " + std::to_string(points.size()) + " points; " +
+  const std::string source = "points: " + flags.points.name() + "; " +
+                             std::to_string(points.size()) + " points; " +
                              (flags.closed ? "closed" : "open");
   write_made_path(
       made_path(AnyPath(std::move(spline.path)), source, "C2 spline of planar quintics",
@@ -59,7 +58,7 @@ std::unique_ptr<Command> spline_command(CLI::App& program) {
   auto command = std::make_unique<Command>(program, "spline",
                                            "The C2 path of planar quintics through points.");
   command
-      ->positional("points", flags->points, "FILE",
+      ->positional("points", flags->points.file, "FILE",
                    "CSV file of x and y, or a JSON list of [x, y] ('-': standard input)")
       .required();
   command->group("Spline");
@@ -71,10 +70,7 @@ std::unique_ptr<Command> spline_command(CLI::App& program) {
       .one_of({"uniform", "chord"});
   command->flag("--merge-repeated", flags->merge,
                 "leave out a point equal to the one before it, instead of refusing it");
-  command
-      ->option("--columns", flags->columns, "X,Y",
-               "columns of the coordinates, by name or number (default: x and y, or the first two)")
-      .list(2, 2);
+  flags->points.add_columns_to(*command);
   flags->output.add_to(*command, "the path document (default path.json; '-': standard output)",
                        "an HTML report with pictures");
   command->examples(
