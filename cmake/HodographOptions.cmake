@@ -13,7 +13,7 @@ else()
   set(hodograph_default_with OFF)
 endif()
 
-foreach(name CERTIFY ORBIT IO PROGRAM)
+foreach(name PLANNING CERTIFY ORBIT IO PROGRAM)
   set(HODOGRAPH_WITH_${name} ${hodograph_default_with} CACHE STRING
       "Build this component: AUTO, ON or OFF")
   set_property(CACHE HODOGRAPH_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
@@ -52,6 +52,7 @@ endfunction()
 function(hodograph_summary)
   if(PROJECT_IS_TOP_LEVEL)
     message(STATUS "Hodograph ${PROJECT_VERSION} (${CMAKE_BUILD_TYPE}): core on"
+                   ", planning ${hodograph_note_planning}"
                    ", certify ${hodograph_note_certify}, orbit ${hodograph_note_orbit}"
                    ", io ${hodograph_note_io}, program ${hodograph_note_program}")
   endif()
