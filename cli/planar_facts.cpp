@@ -28,15 +28,16 @@ std::string_view name_of(CurvatureExtremeKind kind) {
 template <std::size_t n>
 PlanarFacts facts_of_planar(const PlanarPath<n>& path) {
   PlanarFacts facts;
-  facts.rotation_index = rotation_index_enclosure(path);
-  facts.absolute_rotation_index = absolute_rotation_index_enclosure(path);
+  const RotationIndices turns = rotation_index_enclosures(path);
+  facts.rotation_index = turns.with_sign;
+  facts.absolute_rotation_index = turns.absolute;
   if (const auto energy = bending_energy_enclosure(path)) facts.bending_energy = *energy;
   facts.signed_area = signed_area_enclosure(path);
   const RangeGoal goal{shown_width};
   const Extremes curvature = curvature_extremes(path, goal);
   facts.smallest_curvature = curvature.minimum;
   facts.largest_curvature = curvature.maximum;
-  const CuspFreeOffsets offsets = cusp_free_offsets(path, goal);
+  const CuspFreeOffsets offsets = cusp_free_offsets(curvature);
   facts.offset_limit_left = offsets.left;
   facts.offset_limit_right = offsets.right;
   if constexpr (n > 0) {

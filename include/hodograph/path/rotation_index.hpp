@@ -48,6 +48,13 @@ Enclosure absolute_rotation_index_enclosure(const PlanarPath<n>& path);
 template <std::size_t n>
 Enclosure rotation_index_enclosure(const PlanarPath<n>& path);
 
+/// Both of a path, for the work of one.
+struct RotationIndices {
+  Enclosure absolute, with_sign;
+};
+template <std::size_t n>
+RotationIndices rotation_index_enclosures(const PlanarPath<n>& path);
+
 }  // namespace hodograph
 
 #include "hodograph/path/detail/rotation_index_impl.hpp"

@@ -191,10 +191,9 @@ std::vector<OffsetCusp> offset_cusps(const PlanarPath<n>& path, double distance)
 }
 
 /// The largest distances to either side up to which offsets have no cusp, from the extremes of the
-/// curvature, refined as the goal asks: certain, rounding included. Both are 0 at most where the
+/// signed curvature (curvature_extremes): certain, rounding included. Both are 0 at most where the
 /// speed may vanish.
-template <std::size_t n>
-CuspFreeOffsets cusp_free_offsets(const PlanarPath<n>& path, const RangeGoal& goal) {
+inline CuspFreeOffsets cusp_free_offsets(const Extremes& curvature) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double largest = std::numeric_limits<double>::max();
   // 1/κ for the largest curvature to one side.
@@ -206,9 +205,13 @@ CuspFreeOffsets cusp_free_offsets(const PlanarPath<n>& path, const RangeGoal& go
     const double high = least <= 0.0 ? infinity : (one / Enclosure(least)).upper();
     return Enclosure(low, high);
   };
-  const Extremes kappa = curvature_extremes(path, goal);
-  return {radius(-kappa.minimum.upper(), -kappa.minimum.lower()),
-          radius(kappa.maximum.lower(), kappa.maximum.upper())};
+  return {radius(-curvature.minimum.upper(), -curvature.minimum.lower()),
+          radius(curvature.maximum.lower(), curvature.maximum.upper())};
+}
+/// The same of a path, whose extremes are refined as the goal asks.
+template <std::size_t n>
+CuspFreeOffsets cusp_free_offsets(const PlanarPath<n>& path, const RangeGoal& goal) {
+  return cusp_free_offsets(curvature_extremes(path, goal));
 }
 
 }  // namespace hodograph

@@ -284,14 +284,24 @@ Enclosure rotation_index_enclosure(const PlanarPhCurve<n>& curve) {
   }
 }
 template <std::size_t n>
+RotationIndices rotation_index_enclosures(const PlanarPath<n>& path) {
+  RotationIndices sum{0.0, 0.0};
+  if constexpr (n > 0) {
+    for (const PlanarPhCurve<n>& curve : path.segments()) {
+      const path_detail::EnclosedTurn<n> turn(curve);
+      sum.absolute += Enclosure(2.0) * turn.absolute();
+      sum.with_sign += Enclosure(2.0) * turn.signed_turn();
+    }
+  }
+  return sum;
+}
+template <std::size_t n>
 Enclosure absolute_rotation_index_enclosure(const PlanarPath<n>& path) {
-  return path_detail::sum_over(
-      path, [](const PlanarPhCurve<n>& curve) { return absolute_rotation_index_enclosure(curve); });
+  return rotation_index_enclosures(path).absolute;
 }
 template <std::size_t n>
 Enclosure rotation_index_enclosure(const PlanarPath<n>& path) {
-  return path_detail::sum_over(
-      path, [](const PlanarPhCurve<n>& curve) { return rotation_index_enclosure(curve); });
+  return rotation_index_enclosures(path).with_sign;
 }
 
 }  // namespace hodograph
