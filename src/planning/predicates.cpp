@@ -98,26 +98,32 @@ bool disjoint(const Point& apex, const Sector& a, const Sector& b) {
          compare_angles(apex, a.begin, b.end, b.begin) > 0;
 }
 
-int area_sign(const Point* points, std::size_t count) {
+int area_sign(std::span<const std::vector<Point>* const> rings) {
   double sum = 0.0, size = 0.0;
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const Point a = points[i] - points[0], b = points[i + 1] - points[0];
-    sum += a.x * b.y - a.y * b.x;
-    size += std::fabs(a.x * b.y) + std::fabs(a.y * b.x);
+  std::size_t count = 0;
+  for (const auto* ring : rings) {
+    const std::vector<Point>& points = *ring;
+    count += points.size();
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const Point a = points[i] - points[0], b = points[i + 1] - points[0];
+      sum += a.x * b.y - a.y * b.x;
+      size += std::fabs(a.x * b.y) + std::fabs(a.y * b.x);
+    }
   }
   // Each product passes 4 roundings, and at most `count` more in the sums.
   const double error = (4.0 + static_cast<double>(count)) * std::numeric_limits<double>::epsilon();
   if (size >= smallest_filtered && std::fabs(sum) > error * size) return sign_of(sum);
   int exponent = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < count; ++i) {
-    exponent = std::min({exponent, last_bit(points[i].x), last_bit(points[i].y)});
+  for (const auto* ring : rings) {
+    for (const Point& p : *ring) exponent = std::min({exponent, last_bit(p.x), last_bit(p.y)});
   }
-  if (exponent == std::numeric_limits<int>::max()) return 0;
   cpp_int total = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point &p = points[i], &q = points[i + 1 == count ? 0 : i + 1];
-    total += scaled(p.x, exponent) * scaled(q.y, exponent) -
-             scaled(p.y, exponent) * scaled(q.x, exponent);
+  for (const auto* ring : rings) {
+    for (std::size_t i = 0; i < ring->size(); ++i) {
+      const Point &p = (*ring)[i], &q = (*ring)[i + 1 == ring->size() ? 0 : i + 1];
+      total += scaled(p.x, exponent) * scaled(q.y, exponent) -
+               scaled(p.y, exponent) * scaled(q.x, exponent);
+    }
   }
   return total.sign();
 }

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "hodograph/algebra/vector.hpp"
 
@@ -82,7 +84,7 @@ inline bool strictly_inside(const Point& apex, const Sector& sector, const Point
 /// True where two sectors have no direction strictly inside both. Exact.
 bool disjoint(const Point& apex, const Sector& a, const Sector& b);
 
-/// The sign of the signed area of a ring (positive anticlockwise). Exact.
-int area_sign(const Point* points, std::size_t count);
+/// The sign of the sum of the signed areas of rings (positive anticlockwise). Exact.
+int area_sign(std::span<const std::vector<Point>* const> rings);
 
 }  // namespace hodograph::planning_detail

@@ -3,6 +3,7 @@
 #include "hodograph/planning/world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -103,7 +104,8 @@ std::optional<Fault> normalise(Ring& ring, const Place& place, int wanted_sign,
     fault.bound = 3.0;
     return fault;
   }
-  const int sign = area_sign(ring.data(), ring.size());
+  const std::array<const Ring*, 1> one{&ring};
+  const int sign = area_sign(one);
   if (sign == 0) {
     return refusal(FaultCode::outside_domain, place.obstacle,
                    place.text() +
