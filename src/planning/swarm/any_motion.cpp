@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The motion of a path whose type is known only when the program runs: every degree is compiled
+// here, once.
+#include "hodograph/planning/swarm/timed_motion.hpp"
+
+namespace hodograph {
+
+Result<TimedMotion> TimedMotion::create(const AnyPath& path, TimingLaw law, Presence presence) {
+  return path.visit([&](const auto& typed) { return create(typed, std::move(law), presence); });
+}
+
+}  // namespace hodograph
