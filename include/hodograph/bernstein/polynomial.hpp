@@ -109,14 +109,11 @@ class BernsteinPolynomial {
 
   /// ∫₀ᵘ f, of degree n + 1.
   constexpr BernsteinPolynomial<V, n + 1> antiderivative() const {
-    BernsteinPolynomial<V, n + 1> result;
-    const Scalar factor = ratio<Scalar>(1, static_cast<std::int64_t>(n + 1));
-    V sum{};
-    unrolled<n + 1, Scalar>([&](std::size_t i) {
-      sum = i == 0 ? c_[0] : sum + c_[i];
-      result[i + 1] = factor * sum;
-    });
-    return result;
+    return running_sum(ratio<Scalar>(1, static_cast<std::int64_t>(n + 1)));
+  }
+  /// h ∫₀ᵘ f.
+  constexpr BernsteinPolynomial<V, n + 1> antiderivative(const Scalar& h) const {
+    return running_sum(h * ratio<Scalar>(1, static_cast<std::int64_t>(n + 1)));
   }
 
   /// ∫₀¹ f, the mean of the coefficients.
@@ -219,6 +216,17 @@ class BernsteinPolynomial {
         result[n - r] = point[n - r];
       }
     }
+    return result;
+  }
+
+  /// Coefficients 0, factor c_0, factor (c_0 + c_1), ...
+  constexpr BernsteinPolynomial<V, n + 1> running_sum(const Scalar& factor) const {
+    BernsteinPolynomial<V, n + 1> result;
+    V sum{};
+    unrolled<n + 1, Scalar>([&](std::size_t i) {
+      sum = i == 0 ? c_[0] : sum + c_[i];
+      result[i + 1] = factor * sum;
+    });
     return result;
   }
 

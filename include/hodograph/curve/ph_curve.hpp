@@ -42,7 +42,7 @@ class PhCurve {
       : start_(start),
         parameter_step_(parameter_step),
         preimage_(preimage),
-        integral_(parameter_step * integrand_of(preimage).antiderivative()) {
+        integral_(integral_of(preimage, parameter_step)) {
     for (const A& a : preimage_.coefficients()) {
       if (const Scalar bound = speed_form(a, a); speed_bound_ < bound) speed_bound_ = bound;
     }
@@ -133,11 +133,11 @@ class PhCurve {
   }
 
  private:
-  static constexpr auto integrand_of(const Preimage& preimage) {
+  static constexpr Integral integral_of(const Preimage& preimage, const Scalar& h) {
     if (std::is_constant_evaluated()) {
-      return curve_detail::integrand<PlainPair<Scalar>>(preimage);
+      return curve_detail::curve_integral<PlainPair<Scalar>>(preimage, h);
     }
-    return curve_detail::integrand<pair_of_t<Scalar>>(preimage);
+    return curve_detail::curve_integral<pair_of_t<Scalar>>(preimage, h);
   }
 
   template <class P, bool with_displacement = true>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "hodograph/foundation/scalar.hpp"
 
@@ -35,6 +36,20 @@ struct PlainPair {
   constexpr PlainPair first_twice() const { return {lane[0], lane[0]}; }
   constexpr PlainPair second_twice() const { return {lane[1], lane[1]}; }
   constexpr PlainPair swapped() const { return {lane[1], lane[0]}; }
+  /// (a.first, b.first), (a.second, b.second).
+  static constexpr PlainPair firsts(const PlainPair& a, const PlainPair& b) {
+    return {a.lane[0], b.lane[0]};
+  }
+  static constexpr PlainPair seconds(const PlainPair& a, const PlainPair& b) {
+    return {a.lane[1], b.lane[1]};
+  }
+  /// (a.first - b.first, a.second + b.second), (a.first + b.first, a.second - b.second).
+  static constexpr PlainPair minus_plus(const PlainPair& a, const PlainPair& b) {
+    return {a.lane[0] - b.lane[0], a.lane[1] + b.lane[1]};
+  }
+  static constexpr PlainPair plus_minus(const PlainPair& a, const PlainPair& b) {
+    return {a.lane[0] + b.lane[0], a.lane[1] - b.lane[1]};
+  }
 
   friend constexpr PlainPair operator+(const PlainPair& a, const PlainPair& b) {
     return {a.lane[0] + b.lane[0], a.lane[1] + b.lane[1]};
@@ -77,9 +92,21 @@ class DoublePair {
   }
   double first() const { return lanes_[0]; }
   double second() const { return lanes_[1]; }
-  DoublePair first_twice() const { return DoublePair(shuffled<0, 0>(lanes_)); }
-  DoublePair second_twice() const { return DoublePair(shuffled<1, 1>(lanes_)); }
-  DoublePair swapped() const { return DoublePair(shuffled<1, 0>(lanes_)); }
+  DoublePair first_twice() const { return DoublePair(shuffled<0, 0>(lanes_, lanes_)); }
+  DoublePair second_twice() const { return DoublePair(shuffled<1, 1>(lanes_, lanes_)); }
+  DoublePair swapped() const { return DoublePair(shuffled<1, 0>(lanes_, lanes_)); }
+  static DoublePair firsts(DoublePair a, DoublePair b) {
+    return DoublePair(shuffled<0, 2>(a.lanes_, b.lanes_));
+  }
+  static DoublePair seconds(DoublePair a, DoublePair b) {
+    return DoublePair(shuffled<1, 3>(a.lanes_, b.lanes_));
+  }
+  static DoublePair minus_plus(DoublePair a, DoublePair b) {
+    return DoublePair(a.lanes_ + signs_turned<true, false>(b.lanes_));
+  }
+  static DoublePair plus_minus(DoublePair a, DoublePair b) {
+    return DoublePair(a.lanes_ + signs_turned<false, true>(b.lanes_));
+  }
 
   friend DoublePair operator+(DoublePair a, DoublePair b) {
     return DoublePair(a.lanes_ + b.lanes_);
@@ -95,13 +122,20 @@ class DoublePair {
   typedef double Lanes __attribute__((vector_size(16)));
   explicit DoublePair(Lanes lanes) : lanes_(lanes) {}
   template <int i, int j>
-  static Lanes shuffled(Lanes a) {
+  static Lanes shuffled(Lanes a, Lanes b) {
 #if defined(__clang__)
-    return __builtin_shufflevector(a, a, i, j);
+    return __builtin_shufflevector(a, b, i, j);
 #else
     typedef long long Places __attribute__((vector_size(16)));
-    return __builtin_shuffle(a, Places{i, j});
+    return __builtin_shuffle(a, b, Places{i, j});
 #endif
+  }
+  template <bool first, bool second>
+  static Lanes signs_turned(Lanes a) {
+    typedef long long Bits __attribute__((vector_size(16)));
+    constexpr long long sign = std::numeric_limits<long long>::min();
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(a) ^
+                                   Bits{first ? sign : 0, second ? sign : 0});
   }
   Lanes lanes_;
 };

@@ -25,8 +25,7 @@ struct BothEnds {};
 /// The power of two c with c² max|p'| in [1/2, 2), or 2^511 where the speeds are subnormal (c²
 /// would overflow): preimages are computed from data scaled by c² and divided by c, so that no
 /// square overflows or vanishes.
-template <class S>
-double prescale(double largest_speed) {
+inline double prescale(double largest_speed) {
   if (!(largest_speed > 0) || !std::isfinite(largest_speed)) return 1.0;
   int exponent = 0;
   std::frexp(largest_speed, &exponent);
@@ -314,7 +313,12 @@ double prescale_of(std::span<const HermitePoint<m, S>> points) {
   for (const auto& point : points) {
     largest = std::max(largest, to_double(largest_component(point[1])));
   }
-  return prescale<S>(largest);
+  return prescale(largest);
+}
+template <std::size_t m, class S>
+double prescale_of(const HermitePoint<m, S>& begin, const HermitePoint<m, S>& end) {
+  return prescale(
+      std::max(to_double(largest_component(begin[1])), to_double(largest_component(end[1]))));
 }
 
 /// The segment between two end jets; a Fault where it does not exist.
@@ -439,8 +443,7 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
                                                HermiteChoice choice) {
   using namespace hermite_detail;
   if (auto fault = ends_fault<m, S>(begin, end, h)) return *fault;
-  const std::array<HermitePoint<m, S>, 2> points{begin, end};
-  const double scale = prescale_of<m, S>(points);
+  const double scale = prescale_of<m, S>(begin, end);
   const auto jets = checked_jets<m, S>(begin, end, scale, choice);
   Segment<S, m> segment;
   if (auto fault =
@@ -458,8 +461,7 @@ Result<SpatialPhCurve<2 * m, S>> hermite_curve(const HermitePoint<m, S>& begin,
   using std::cos;
   using std::sin;
   if (auto fault = ends_fault<m, S>(begin, end, h)) return *fault;
-  const std::array<HermitePoint<m, S>, 2> points{begin, end};
-  const double scale = prescale_of<m, S>(points);
+  const double scale = prescale_of<m, S>(begin, end);
   const auto scaled_tau = [&](auto tau) {  // τ scales with the square of the preimage
     for (auto& t : tau) t = S(scale * scale) * t;
     return tau;

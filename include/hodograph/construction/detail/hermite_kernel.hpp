@@ -10,10 +10,12 @@
 #include <array>
 #include <cstddef>
 
+#include "hodograph/algebra/paired_quaternion.hpp"
 #include "hodograph/algebra/preimage_algebra.hpp"
 #include "hodograph/bernstein/polynomial.hpp"
 #include "hodograph/construction/detail/hermite_tables.hpp"
 #include "hodograph/construction/hermite_data.hpp"
+#include "hodograph/curve/detail/integrand_form.hpp"
 #include "hodograph/curve/preimage_jet.hpp"
 
 // The trip counts are small compile-time constants: unrolled, the tables become immediate operands.
@@ -94,18 +96,32 @@ struct ZeroTau {
   }
 };
 
-/// Coefficient i of degree N or n of the polynomial with the given end jet, step h (negative at the
-/// far end, where coefficients count from the end).
+/// The quaternions of the segment's own arithmetic, and a row of them: a jet, or the coefficients
+/// of one half counted from their end.
+template <class S>
+using Paired = PairedQuaternion<pair_of_t<S>>;
 template <class S, std::size_t m>
-EndJet<S, m> end_coefficients(const EndJet<S, m>& jet, const S& h,
-                              const Matrix<real_of_t<S>, m>& weights) {
-  EndJet<S, m> scaled = jet, result;
+using Row = std::array<Paired<S>, m>;
+
+/// The jet with its derivative j times h^j; h is negative at the far end, where coefficients count
+/// from the end.
+template <class S, std::size_t m>
+Row<S, m> scaled_jet(const EndJet<S, m>& jet, const S& h) {
+  Row<S, m> result;
+  result[0] = Paired<S>(jet[0]);
   S power = h;
   HODOGRAPH_UNROLL
   for (std::size_t j = 1; j < m; ++j) {
-    scaled[j] = power * jet[j];
+    result[j] = power * Paired<S>(jet[j]);
     power = power * h;
   }
+  return result;
+}
+
+/// Coefficient i of degree N or n of the polynomial with the given scaled jet.
+template <class S, std::size_t m>
+Row<S, m> end_coefficients(const Row<S, m>& scaled, const Matrix<real_of_t<S>, m>& weights) {
+  Row<S, m> result;
   HODOGRAPH_UNROLL
   for (std::size_t i = 0; i < m; ++i) {
     result[i] = scaled[0];
@@ -115,11 +131,49 @@ EndJet<S, m> end_coefficients(const EndJet<S, m>& jet, const S& h,
   return result;
 }
 
-/// Ã in its two halves: the coefficients of degree N from the start, and from the end backwards.
+template <class S, std::size_t m>
+Row<S, m> rolled(Row<S, m> row, const Roll<S>& roll) {
+  HODOGRAPH_UNROLL
+  for (std::size_t i = 0; i < m; ++i) row[i] = row[i] * roll;
+  return row;
+}
+
+/// Σ x_i row_i of constants x, from `first` on.
+template <class S, std::size_t m>
+Paired<S> combination(const std::array<real_of_t<S>, m>& x, const Row<S, m>& row,
+                      std::size_t first = 0) {
+  Paired<S> sum = S(x[first]) * row[first];
+  HODOGRAPH_UNROLL
+  for (std::size_t i = first + 1; i < m; ++i) sum = sum + S(x[i]) * row[i];
+  return sum;
+}
+
+/// Ã in its two halves: the coefficients of degree N from the start, and from the end backwards,
+/// with their moments ∫ ... B_m^n.
 template <class S, std::size_t m>
 struct Halves {
-  EndJet<S, m> start, end;
+  Row<S, m> start, end;
+  Paired<S> start_moment = combination<S, m>(tables<S, m>().moment, start);
+  Paired<S> end_moment = combination<S, m>(tables<S, m>().moment, end);
+
+  /// The same with the end half rolled.
+  Halves end_rolled(const Roll<S>& roll) const {
+    return {start, rolled<S, m>(end, roll), start_moment, end_moment * roll};
+  }
 };
+
+/// ∫ <F', F i> of one half F alone, before the components are summed.
+template <class S, std::size_t m>
+Paired<S> own_twist(const Row<S, m>& half) {
+  const auto& t = tables<S, m>();
+  // Σ_{i<j} self_ij <f_j i, f_i>
+  auto sum = componentwise(combination<S, m>(t.self[0], half, 1).swapped(), half[0]);
+  HODOGRAPH_UNROLL
+  for (std::size_t i = 1; i + 1 < m; ++i) {
+    sum = sum + componentwise(combination<S, m>(t.self[i], half, i + 1).swapped(), half[i]);
+  }
+  return sum;
+}
 
 /// The roll that turns the end half so that the mean twist ∫ <Ã', Ã i> vanishes (beyond the papers:
 /// the choice of order ten). excess is how far |c| exceeds what a roll can balance, over that;
@@ -135,27 +189,21 @@ TwistFreeRoll<S> twist_free_roll(const Halves<S, m>& tilde) {
   using std::sqrt;
   const auto& t = tables<S, m>();
   // ∫<Ã', Ã i> = c + C cos θ - D sin θ with C = 2 ∫<S', E i>, D = 2 ∫<S', E>.
-  S c(0), cosine_part(0), sine_part(0);
-  Quaternion<S> start_moment{}, end_moment{};
-  HODOGRAPH_UNROLL
-  for (std::size_t i = 0; i < m; ++i) {
-    HODOGRAPH_UNROLL
-    for (std::size_t j = i + 1; j < m; ++j) {
-      c = c + S(t.self[i][j]) * (twist_form(tilde.start[j], tilde.start[i]) -
-                                 twist_form(tilde.end[j], tilde.end[i]));
-    }
-    Quaternion<S> opposite = S(t.cross[i][0]) * tilde.end[0];
-    HODOGRAPH_UNROLL
-    for (std::size_t j = 1; j < m; ++j) {
-      opposite = opposite + S(t.cross[i][j]) * tilde.end[j];
-    }
-    cosine_part = cosine_part + twist_form(opposite, tilde.start[i]);
-    sine_part = sine_part + dot(tilde.start[i], opposite);
-    start_moment = start_moment + S(t.moment[i]) * tilde.start[i];
-    end_moment = end_moment + S(t.moment[i]) * tilde.end[i];
+  S c(0);
+  if constexpr (m > 1) {
+    c = twist_sum(own_twist<S, m>(tilde.start) - own_twist<S, m>(tilde.end));
   }
-  cosine_part = S(2) * cosine_part;
-  sine_part = S(2) * sine_part;
+  Paired<S> opposite = combination<S, m>(t.cross[0], tilde.end);
+  Paired<S> cosine_products = componentwise(opposite.swapped(), tilde.start[0]);
+  Paired<S> sine_products = componentwise(opposite, tilde.start[0]);
+  HODOGRAPH_UNROLL
+  for (std::size_t i = 1; i < m; ++i) {
+    opposite = combination<S, m>(t.cross[i], tilde.end);
+    cosine_products = cosine_products + componentwise(opposite.swapped(), tilde.start[i]);
+    sine_products = sine_products + componentwise(opposite, tilde.start[i]);
+  }
+  const S cosine_part = S(2) * twist_sum(cosine_products);
+  const S sine_part = S(2) * dot_sum(sine_products);
   const S size = sqrt(cosine_part * cosine_part + sine_part * sine_part);
   // C cos θ - D sin θ = size cos(θ + φ): cos(θ + φ) = -c/size, two roots.
   const auto vanishes = !(S(0) < size);
@@ -166,8 +214,11 @@ TwistFreeRoll<S> twist_free_roll(const Halves<S, m>& tilde) {
   const S cosine = cosine_part * reciprocal, sine = sine_part * reciprocal;
   const Roll<S> first{k * cosine + root * sine, root * cosine - k * sine};
   const Roll<S> second{k * cosine - root * sine, -(root * cosine) - k * sine};
+  // The roll that brings the moments closer: <start, end (x + y i)> = x <start, end> + ...
+  const S along = dot_sum(componentwise(tilde.start_moment, tilde.end_moment));
+  const S across = twist_sum(componentwise(tilde.end_moment.swapped(), tilde.start_moment));
   const auto prefer_second =
-      dot(start_moment, end_moment * first) < dot(start_moment, end_moment * second);
+      first.cosine * along + first.sine * across < second.cosine * along + second.sine * across;
   const Roll<S> chosen{select(prefer_second, second.cosine, first.cosine),
                        select(prefer_second, second.sine, first.sine)};
   // One step back onto the circle: the rounding of cosine² + sine² - 1 is halved away.
@@ -183,43 +234,55 @@ TwistFreeRoll<S> twist_free_roll(const Halves<S, m>& tilde) {
 /// is opposite to Y ⋆ Y and every member is equally near.
 template <class S>
 struct NearestInFibre {
-  Quaternion<S> member;
+  Paired<S> member;
   S closeness;
 };
 template <class S>
-NearestInFibre<S> nearest_in_fibre(const Vector3<S>& a, const Quaternion<S>& y) {
+NearestInFibre<S> nearest_in_fibre(const Vector3<S>& a, const Paired<S>& y) {
   using std::sqrt;
+  using P = pair_of_t<S>;
   const S size = sqrt(dot(a, a));
-  const Quaternion<S> direction = pure((S(1) / size) * a);
-  const auto project = [&](const Quaternion<S>& x) {
-    return S(0.5) * (x - direction * times_i(x));
+  const Vector3<S> direction = (S(1) / size) * a;
+  const auto project = [&](const Paired<S>& q) {  // (q - direction q i)/2
+    const P x = P::both(direction.x), y_part = P::both(direction.y), z = P::both(direction.z);
+    const P front = P::minus_plus(x * q.front + y_part * q.back.swapped(), z * q.back);
+    const P back = P::minus_plus(y_part * q.front.swapped() - x * q.back, z * q.front);
+    return S(0.5) * (q + Paired<S>(front, back));
   };
-  Quaternion<S> projected = project(y);
-  const S length = dot(projected, projected);
+  Paired<S> projected = project(y);
+  const S length = dot_sum(componentwise(projected, projected));
   // A second projection removes what cancellation in the first left outside the plane.
-  projected = project((S(1) / sqrt(length)) * projected);
-  const S scale = sqrt(size / dot(projected, projected));
-  return {scale * projected, length / dot(y, y)};
+  projected = project(projected);
+  const S scale = sqrt(size / dot_sum(componentwise(projected, projected)));
+  return {scale * projected, length / dot_sum(componentwise(y, y))};
 }
 
 /// ∫ Ã ⋆ Ã, as 2m squares.
 template <class S, std::size_t m>
 Vector3<S> integral_of_square(const Halves<S, m>& tilde) {
   const auto& t = tables<S, m>();
-  Vector3<S> integral{};
+  Row<S, m> sums, differences;
+  HODOGRAPH_UNROLL
+  for (std::size_t i = 0; i < m; ++i) {
+    sums[i] = tilde.start[i] + tilde.end[i];
+    differences[i] = tilde.start[i] - tilde.end[i];
+  }
+  // Row k of the factors begins with a one at place k.
+  const auto square = [](const std::array<real_of_t<S>, m>& x, const Row<S, m>& row,
+                         std::size_t k) {
+    Paired<S> sum = row[k];
+    HODOGRAPH_UNROLL
+    for (std::size_t j = k + 1; j < m; ++j) sum = sum + S(x[j]) * row[j];
+    return curve_detail::integrand_square(sum);
+  };
+  curve_detail::QuaternionIntegrand<pair_of_t<S>> integral;
   HODOGRAPH_UNROLL
   for (std::size_t k = 0; k < m; ++k) {
-    Quaternion<S> sum = tilde.start[k] + tilde.end[k];
-    Quaternion<S> difference = tilde.start[k] - tilde.end[k];
-    HODOGRAPH_UNROLL
-    for (std::size_t j = k + 1; j < m; ++j) {
-      sum = sum + S(t.sum_rows[k][j]) * (tilde.start[j] + tilde.end[j]);
-      difference = difference + S(t.difference_rows[k][j]) * (tilde.start[j] - tilde.end[j]);
-    }
-    integral = integral + S(t.sum_weights[k]) * hodograph_form(sum, sum) +
-               S(t.difference_weights[k]) * hodograph_form(difference, difference);
+    integral =
+        integral + (S(t.sum_weights[k]) * square(t.sum_rows[k], sums, k) +
+                    S(t.difference_weights[k]) * square(t.difference_rows[k], differences, k));
   }
-  return integral;
+  return integral.value().value().displacement;
 }
 
 /// The middle quaternion δ of A = Ã + δ B_m^n that makes ∫ A ⋆ A = mean_velocity: complete the
@@ -227,21 +290,16 @@ Vector3<S> integral_of_square(const Halves<S, m>& tilde) {
 /// Ã_p = ∫ Ã B_m^n where there is none.
 template <class S>
 struct MiddleCoefficient {
-  Quaternion<S> delta;
+  Paired<S> delta;
   S closeness;
 };
 template <class S, std::size_t m>
 MiddleCoefficient<S> middle_coefficient(const Halves<S, m>& tilde, const Vector3<S>& mean_velocity,
-                                        const Quaternion<S>* reference) {
-  const auto& t = tables<S, m>();
-  Quaternion<S> moment = S(t.moment[0]) * (tilde.start[0] + tilde.end[0]);
-  HODOGRAPH_UNROLL
-  for (std::size_t i = 1; i < m; ++i) {
-    moment = moment + S(t.moment[i]) * (tilde.start[i] + tilde.end[i]);
-  }
-  const S gram(t.middle());
-  const Vector3<S> target =
-      gram * (mean_velocity - integral_of_square(tilde)) + hodograph_form(moment, moment);
+                                        const Paired<S>* reference) {
+  const Paired<S> moment = tilde.start_moment + tilde.end_moment;
+  const S gram(tables<S, m>().middle());
+  const Vector3<S> target = gram * (mean_velocity - integral_of_square(tilde)) +
+                            curve_detail::integrand_square(moment).value().value().displacement;
   const auto nearest = nearest_in_fibre(target, reference ? *reference : moment);
   return {(S(1) / gram) * (nearest.member - moment), nearest.closeness};
 }
@@ -255,28 +313,21 @@ struct Segment {
   S excess, closeness;
 };
 
+/// Puts the segment together from its scaled end jets, the roll of its end and δ.
 template <class S, std::size_t m>
-EndJet<S, m> rolled(EndJet<S, m> jet, const Roll<S>& roll) {
-  for (auto& a : jet) a = a * roll;
-  return jet;
-}
-
-/// Puts the segment together from its start jet, its rolled end jet and δ.
-template <class S, std::size_t m>
-BernsteinPolynomial<Quaternion<S>, 2 * m> assemble(const EndJet<S, m>& start,
-                                                   const EndJet<S, m>& end, const S& h,
-                                                   const Halves<S, m>& tilde,
-                                                   const Quaternion<S>& delta) {
+BernsteinPolynomial<Quaternion<S>, 2 * m> assemble(const Row<S, m>& start, const Row<S, m>& end,
+                                                   const Roll<S>& roll, const Halves<S, m>& tilde,
+                                                   const Paired<S>& delta) {
   const auto& t = tables<S, m>();
   BernsteinPolynomial<Quaternion<S>, 2 * m> preimage;
-  const auto head = end_coefficients<S, m>(start, h, t.high);
-  const auto tail = end_coefficients<S, m>(end, -h, t.high);
+  const Row<S, m> head = end_coefficients<S, m>(start, t.high);
+  const Row<S, m> tail = rolled<S, m>(end_coefficients<S, m>(end, t.high), roll);
   HODOGRAPH_UNROLL
   for (std::size_t i = 0; i < m; ++i) {
-    preimage[i] = head[i];
-    preimage[2 * m - i] = tail[i];
+    preimage[i] = head[i].value();
+    preimage[2 * m - i] = tail[i].value();
   }
-  preimage[m] = S(0.5) * (tilde.start[m - 1] + tilde.end[m - 1]) + delta;
+  preimage[m] = (S(0.5) * (tilde.start[m - 1] + tilde.end[m - 1]) + delta).value();
   return preimage;
 }
 
@@ -286,13 +337,14 @@ template <class S, std::size_t m>
 Segment<S, m> twist_free_segment(const EndJet<S, m>& start, const EndJet<S, m>& end, const S& h,
                                  const Vector3<S>& mean_velocity) {
   const auto& t = tables<S, m>();
-  Halves<S, m> tilde{end_coefficients<S, m>(start, h, t.low),
-                     end_coefficients<S, m>(end, -h, t.low)};
-  const auto twist_free = twist_free_roll<S, m>(tilde);
-  tilde.end = rolled<S, m>(tilde.end, twist_free.roll);
+  const Row<S, m> head = scaled_jet<S, m>(start, h), tail = scaled_jet<S, m>(end, -h);
+  const Halves<S, m> unrolled{end_coefficients<S, m>(head, t.low),
+                              end_coefficients<S, m>(tail, t.low)};
+  const auto twist_free = twist_free_roll<S, m>(unrolled);
+  const Halves<S, m> tilde = unrolled.end_rolled(twist_free.roll);
   const auto middle = middle_coefficient<S, m>(tilde, mean_velocity, nullptr);
-  return {assemble<S, m>(start, rolled<S, m>(end, twist_free.roll), h, tilde, middle.delta),
-          twist_free.roll, twist_free.excess, middle.closeness};
+  return {assemble<S, m>(head, tail, twist_free.roll, tilde, middle.delta), twist_free.roll,
+          twist_free.excess, middle.closeness};
 }
 
 /// The roll Q that takes the member X of a fibre to the one nearest to Y: the projection of Y on
@@ -320,12 +372,13 @@ Segment<S, m> reference_segment(const EndJet<S, m>& start, const EndJet<S, m>& e
   const Roll<S> back = inverse(compose(roll_towards(start[0], reference), turn_start));
   const Roll<S> roll = compose(compose(roll_towards(end[0], reference), turn_end), back);
   const auto& t = tables<S, m>();
-  const EndJet<S, m> rolled_end = rolled<S, m>(end, roll);
-  const Halves<S, m> tilde{end_coefficients<S, m>(start, h, t.low),
-                           end_coefficients<S, m>(rolled_end, -h, t.low)};
-  const Quaternion<S> middle_reference = reference * compose(turn_middle, back);
+  const Row<S, m> head = scaled_jet<S, m>(start, h), tail = scaled_jet<S, m>(end, -h);
+  const auto tilde =
+      Halves<S, m>{end_coefficients<S, m>(head, t.low), end_coefficients<S, m>(tail, t.low)}
+          .end_rolled(roll);
+  const Paired<S> middle_reference(reference * compose(turn_middle, back));
   const auto middle = middle_coefficient<S, m>(tilde, mean_velocity, &middle_reference);
-  return {assemble<S, m>(start, rolled_end, h, tilde, middle.delta), roll, S(-1), middle.closeness};
+  return {assemble<S, m>(head, tail, roll, tilde, middle.delta), roll, S(-1), middle.closeness};
 }
 
 }  // namespace hodograph::hermite_detail
