@@ -29,6 +29,7 @@ enum class FaultCode {
   no_interpolant,         ///< Hermite data that this construction cannot join
   tolerance_not_reached,  ///< a fit that would need more segments than allowed
   no_convergence,         ///< an iteration that did not settle
+  no_route,               ///< start and goal that nothing allowed joins
   cancelled,              ///< stopped on request
 };
 
