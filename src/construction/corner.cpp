@@ -38,7 +38,7 @@ std::optional<Fault> find_line(const Vector2<double>& from, const Vector2<double
   if (!(size <= std::numeric_limits<double>::max())) {
     return bad(
         FaultCode::no_interpolant, index, "range", std::nullopt, std::nullopt,
-        "points " + std::to_string(index) + " and the next are too far apart to compute with");
+        "point " + std::to_string(index) + " and the next are too far apart to compute with");
   }
   if (size == 0.0) {
     return bad(FaultCode::outside_domain, index, "length", 0.0, std::nullopt,
@@ -161,6 +161,98 @@ Fault no_turn(const char* what) {
           std::nullopt};
 }
 
+/// The lines and corners of a polyline. Corner k is at the end of line k, between points k and
+/// k + 2; the last line of an open polyline ends without one.
+struct TurningPolyline {
+  std::span<const Vector2<double>> points;
+  bool closed = false;
+  std::vector<Turn> turns{};
+
+  const Vector2<double>& point(std::size_t k) const { return points[k % points.size()]; }
+  bool has_corner(std::size_t k) const { return closed || k + 1 < turns.size(); }
+};
+
+Result<TurningPolyline> turning_polyline(std::span<const Vector2<double>> points, bool closed) {
+  const std::size_t count = points.size(), least = closed ? 3 : 2;
+  if (count < least) {
+    return Fault{FaultCode::too_few,
+                 "a polyline needs at least " + std::to_string(least) + " points; got " +
+                     std::to_string(count),
+                 std::nullopt,
+                 "points",
+                 static_cast<double>(count),
+                 static_cast<double>(least)};
+  }
+  TurningPolyline line{points, closed, std::vector<Turn>(closed ? count : count - 1)};
+  for (std::size_t k = 0; k < line.turns.size(); ++k) {
+    Turn& turn = line.turns[k];
+    if (!line.has_corner(k)) {
+      if (auto fault = find_line(line.point(k), line.point(k + 1), k, turn.in)) {
+        return *std::move(fault);
+      }
+      turn.root_in = planar_detail::root_of_unit(turn.in.direction);
+    } else if (auto fault =
+                   find_turn({line.point(k), line.point(k + 1), line.point(k + 2)}, k, turn)) {
+      fault->index = *fault->index % count;
+      return *std::move(fault);
+    }
+  }
+  return line;
+}
+
+/// Lines and corners in turn; a leg is 0 where the line passes straight (or ends).
+Result<PlanarPath<2>> assembled(const TurningPolyline& line, std::span<const double> legs) {
+  const auto& turns = line.turns;
+  std::vector<double> knots{0.0};
+  std::vector<PlanarPhCurve<2>> segments;
+  const auto add = [&](const Turn& turn, const Vector2<double>& start, double leg, double length,
+                       C root, bool straight) {
+    const double knot = knots.back() + length;
+    if (!(knots.back() < knot)) return;  // shorter than rounding
+    const double step = knot - knots.back();
+    knots.push_back(knot);
+    if (straight) {
+      const C w = std::sqrt(length / step) * root;
+      segments.emplace_back(start, BernsteinPolynomial<C, 2>({w, w, w}), step);
+    } else {
+      segments.emplace_back(start, corner_preimage(turn, leg, step), step);
+    }
+  };
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    const Turn& turn = turns[k];
+    const double before = k > 0 ? legs[k - 1] : line.closed ? legs.back() : 0.0;
+    const double needed = before + legs[k];
+    const double allowed = turn.in.length * (1.0 + accuracy::join_error<double>());
+    if (needed > allowed) {
+      return bad(FaultCode::no_interpolant, k, "leg", needed, turn.in.length,
+                 "between point " + std::to_string(k) +
+                     " and the next the corners need a length of " + to_text(needed) +
+                     "; there is " + to_text(turn.in.length));
+    }
+    const C d = turn.in.direction;
+    const auto along = [&](const Vector2<double>& from, double distance) {
+      return Vector2<double>{from.x + distance * d.re, from.y + distance * d.im};
+    };
+    const double straight = turn.in.length - needed;
+    if (straight > accuracy::join_error<double>() * turn.in.length || needed == 0.0) {
+      add(turn, along(line.point(k), before), 0.0, straight, turn.root_in, true);
+    }
+    if (legs[k] > 0.0) {
+      add(turn, along(line.point(k + 1), -legs[k]), legs[k], length_for_unit_leg(turn) * legs[k],
+          turn.root_in, false);
+    }
+  }
+  // The preimage continues, sign included.
+  for (std::size_t k = 1; k < segments.size(); ++k) {
+    if (dot(segments[k - 1].preimage().back(), segments[k].preimage().front()) < 0.0) {
+      segments[k] = {segments[k].start(),
+                     segments[k].preimage().mapped([](const C& c) { return -c; }),
+                     segments[k].parameter_step()};
+    }
+  }
+  return PlanarPath<2>::create(std::move(knots), std::move(segments), line.closed);
+}
+
 }  // namespace
 
 Result<CornerShape> corner_shape(const Corner& corner) {
@@ -204,47 +296,26 @@ double corner_clearance_factor(double turning_angle) {
 
 Result<PlanarPath<2>> rounded_polyline(std::span<const Vector2<double>> points,
                                        const CornerRule& rule) {
-  const std::size_t count = points.size(), least = rule.closed ? 3 : 2;
-  if (count < least) {
-    return Fault{FaultCode::too_few,
-                 "a polyline needs at least " + std::to_string(least) + " points; got " +
-                     std::to_string(count),
-                 std::nullopt,
-                 "points",
-                 static_cast<double>(count),
-                 static_cast<double>(least)};
-  }
   for (const auto& [bound, name] : {std::pair(rule.most_curvature, "curvature bound"),
                                     std::pair(rule.most_deviation, "deviation bound")}) {
     if (!bound) continue;
     if (auto fault = positive_fault(*bound, name)) return *std::move(fault);
   }
-  const std::size_t lines = rule.closed ? count : count - 1;
-  const auto point = [&](std::size_t k) -> const Vector2<double>& { return points[k % count]; };
-  // Corner k is at the end of line k; its leg is 0 where the line passes straight (or ends).
-  std::vector<Turn> turns(lines);
-  std::vector<double> legs(lines, 0.0);
-  for (std::size_t k = 0; k < lines; ++k) {
-    const bool is_corner = rule.closed || k + 1 < lines;
-    if (!is_corner) {
-      if (auto fault = find_line(point(k), point(k + 1), k, turns[k].in)) return *std::move(fault);
-      turns[k].root_in = planar_detail::root_of_unit(turns[k].in.direction);
-      continue;
-    }
-    if (auto fault = find_turn({point(k), point(k + 1), point(k + 2)}, k, turns[k])) {
-      fault->index = *fault->index % count;
-      return *std::move(fault);
-    }
-    const Turn& turn = turns[k];
-    if (turn.straight()) continue;
+  const auto line = turning_polyline(points, rule.closed);
+  if (!line) return line.fault();
+  std::vector<double> legs(line->turns.size(), 0.0);
+  for (std::size_t k = 0; k < legs.size(); ++k) {
+    const Turn& turn = line->turns[k];
+    if (!line->has_corner(k) || turn.straight()) continue;
     const double most = rule.most_deviation ? *rule.most_deviation / deviation_for_unit_leg(turn)
                                             : std::numeric_limits<double>::infinity();
     if (rule.most_curvature) {
       legs[k] = curvature_for_unit_leg(turn) / *rule.most_curvature;
       if (legs[k] > most) {
-        return bad(FaultCode::no_interpolant, (k + 1) % count, "deviation",
+        const std::size_t at = (k + 1) % points.size();
+        return bad(FaultCode::no_interpolant, at, "deviation",
                    legs[k] * deviation_for_unit_leg(turn), rule.most_deviation,
-                   "at point " + std::to_string((k + 1) % count) + " a curvature of " +
+                   "at point " + std::to_string(at) + " a curvature of " +
                        to_text(*rule.most_curvature) + " takes a deviation of " +
                        to_text(legs[k] * deviation_for_unit_leg(turn)) + "; only " +
                        to_text(*rule.most_deviation) + " is allowed");
@@ -253,53 +324,33 @@ Result<PlanarPath<2>> rounded_polyline(std::span<const Vector2<double>> points,
       legs[k] = std::min(0.5 * std::min(turn.in.length, turn.out.length), most);
     }
   }
-  std::vector<double> knots{0.0};
-  std::vector<PlanarPhCurve<2>> segments;
-  const auto add = [&](const Turn& turn, const Vector2<double>& start, double leg, double length,
-                       C root, bool line) {
-    const double knot = knots.back() + length;
-    if (!(knots.back() < knot)) return;  // shorter than rounding
-    const double step = knot - knots.back();
-    knots.push_back(knot);
-    if (line) {
-      const C w = std::sqrt(length / step) * root;
-      segments.emplace_back(start, BernsteinPolynomial<C, 2>({w, w, w}), step);
-    } else {
-      segments.emplace_back(start, corner_preimage(turn, leg, step), step);
-    }
-  };
-  for (std::size_t k = 0; k < lines; ++k) {
-    const Turn& turn = turns[k];
-    const double before = k > 0 ? legs[k - 1] : rule.closed ? legs[lines - 1] : 0.0;
-    const double needed = before + legs[k];
-    const double allowed = turn.in.length * (1.0 + accuracy::join_error<double>());
-    if (needed > allowed) {
-      return bad(FaultCode::no_interpolant, k, "leg", needed, turn.in.length,
-                 "the corners of line " + std::to_string(k) + " need " + to_text(needed) +
-                     " of it; it has " + to_text(turn.in.length));
-    }
-    const C d = turn.in.direction;
-    const auto along = [&](const Vector2<double>& from, double distance) {
-      return Vector2<double>{from.x + distance * d.re, from.y + distance * d.im};
-    };
-    const double straight = turn.in.length - needed;
-    if (straight > accuracy::join_error<double>() * turn.in.length || needed == 0.0) {
-      add(turn, along(point(k), before), 0.0, straight, turn.root_in, true);
-    }
-    if (legs[k] > 0.0) {
-      add(turn, along(point(k + 1), -legs[k]), legs[k], length_for_unit_leg(turn) * legs[k],
-          turn.root_in, false);
-    }
+  return assembled(*line, legs);
+}
+
+Result<PlanarPath<2>> rounded_polyline_of_legs(std::span<const Vector2<double>> points,
+                                               std::span<const double> legs, bool closed) {
+  const auto line = turning_polyline(points, closed);
+  if (!line) return line.fault();
+  const std::size_t corners = closed ? points.size() : points.size() - 2;
+  if (legs.size() != corners) {
+    return Fault{FaultCode::mismatched_size,
+                 std::to_string(points.size()) + " points have " + std::to_string(corners) +
+                     " corners; got " + std::to_string(legs.size()) + " legs",
+                 std::nullopt,
+                 "legs",
+                 static_cast<double>(legs.size()),
+                 static_cast<double>(corners)};
   }
-  // The preimage continues, sign included.
-  for (std::size_t k = 1; k < segments.size(); ++k) {
-    if (dot(segments[k - 1].preimage().back(), segments[k].preimage().front()) < 0.0) {
-      segments[k] = {segments[k].start(),
-                     segments[k].preimage().mapped([](const C& c) { return -c; }),
-                     segments[k].parameter_step()};
+  std::vector<double> used(line->turns.size(), 0.0);
+  for (std::size_t k = 0; k < corners; ++k) {
+    if (line->turns[k].straight()) continue;
+    if (auto fault = positive_fault(legs[k], "leg of a corner")) {
+      fault->index = (k + 1) % points.size();
+      return *std::move(fault);
     }
+    used[k] = legs[k];
   }
-  return PlanarPath<2>::create(std::move(knots), std::move(segments), rule.closed);
+  return assembled(*line, used);
 }
 
 }  // namespace hodograph

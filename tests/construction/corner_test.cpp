@@ -205,6 +205,32 @@ TEST(RoundedPolyline, IsCurvatureContinuousAndAsLargeAsThereIsRoom) {
   }
 }
 
+TEST(RoundedPolyline, TakesEveryLegAsGiven) {
+  const std::vector<Vector2<double>> points{{0, 0}, {4, 0}, {4, 3}, {8, 3}, {10, 3}};
+  const std::vector<double> legs{1.0, 1.5, 0.0};  // the last corner is none
+  const auto path = rounded_polyline_of_legs(points, legs);
+  ASSERT_TRUE(path) << path.fault().sentence;
+  // line, corner, line, corner, line: legs[1] ends the second line with no room to spare but 0.5.
+  double length = 3.0 + (3.0 - 2.5) + (4.0 - 1.5) + 2.0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto corner = corner_of_leg({points[k], points[k + 1], points[k + 2]}, legs[k]);
+    length += corner->shape.arc_length;
+  }
+  EXPECT_NEAR(path->arc_length(), length, 32.0 * epsilon<double>() * length);
+
+  const auto few = rounded_polyline_of_legs(points, std::vector<double>{1.0});
+  ASSERT_FALSE(few);
+  EXPECT_EQ(few.fault().code, FaultCode::mismatched_size);
+  const auto none = rounded_polyline_of_legs(points, std::vector<double>{1.0, 0.0, 0.0});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.fault().code, FaultCode::outside_domain);
+  EXPECT_EQ(none.fault().index, 2U);
+  const auto many = rounded_polyline_of_legs(points, std::vector<double>{2.0, 1.5, 0.0});
+  ASSERT_FALSE(many);
+  EXPECT_EQ(many.fault().code, FaultCode::no_interpolant);
+  EXPECT_EQ(many.fault().index, 1U);
+}
+
 TEST(RoundedPolyline, RefusesWhatItCannotRound) {
   using Points = std::vector<Vector2<double>>;
   const auto fault = [](const Points& points, const CornerRule& rule) {

@@ -94,4 +94,10 @@ struct CornerRule {
 Result<PlanarPath<2>> rounded_polyline(std::span<const Vector2<double>> points,
                                        const CornerRule& rule);
 
+/// The same with the leg L of every corner given: the first at point 1 (closed: the last at point
+/// 0). A leg is not looked at where the line passes straight. Faults: also mismatched_size (not one
+/// leg a corner), outside_domain (index of the point: a leg that is not positive).
+Result<PlanarPath<2>> rounded_polyline_of_legs(std::span<const Vector2<double>> points,
+                                               std::span<const double> legs, bool closed = false);
+
 }  // namespace hodograph
