@@ -71,7 +71,7 @@ void bounds_of(PathFacts& facts, const P& path) {
   facts.smallest_speed = speed.minimum;
   facts.largest_speed = speed.maximum;
   const Extremes curvature = curvature_extremes(path, goal);
-  facts.curvature_bound = std::max(-curvature.minimum.lower(), curvature.maximum.upper());
+  facts.curvature_bound = std::max({0.0, -curvature.minimum.lower(), curvature.maximum.upper()});
   for (const auto& curve : path.segments()) {
     facts.hodograph_identity = std::max(facts.hodograph_identity, hodograph_identity(curve));
   }

@@ -21,7 +21,12 @@ constexpr std::size_t most_knots_shown = 200;
 
 enum class Rounding { nearest, down, up };
 
-/// A number with so many digits; a bound is never made stronger by rounding it.
+/// What lies this close to a short number, relatively, is that number as computed.
+constexpr double computed_width = 0x1p-40;
+
+/// A number with so many digits; a bound is never made stronger by rounding it. A bound within
+/// rounding of a short number, as a limit that is just kept, is shown with all its digits:
+/// 4.000000000000045 rather than 4.001.
 std::string rounded(double value, Rounding rounding, int digits) {
   std::array<char, 64> buffer{};
   const auto write = [&](double x) {
@@ -39,6 +44,7 @@ std::string rounded(double value, Rounding rounding, int digits) {
   if (rounding == Rounding::nearest || !std::isfinite(value)) return text;
   const bool too_strong = rounding == Rounding::up ? read(text) < value : read(text) > value;
   if (!too_strong) return text;
+  if (std::abs(value - read(text)) <= computed_width * std::abs(value)) return to_text(value);
   // Moved by half a unit of the last digit shown, the number rounds to the other side of itself.
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) + 1 - digits);
   const double half = rounding == Rounding::up ? 0.5 * unit : -0.5 * unit;
@@ -87,6 +93,10 @@ std::string order_text(int order) {
   return order < 0 ? std::string("jumps") : "C" + std::to_string(order);
 }
 
+std::string tolerance_text(const ReportData& data) {
+  return shown(*data.tolerance, Rounding::nearest, digits_of_length);
+}
+
 std::string error_text(const ReportData& data) {
   const ErrorPromise& error = *data.promises.error;
   const Enclosure& distance = error.distance;
@@ -101,7 +111,7 @@ std::string error_text(const ReportData& data) {
     text = "about " + with_unit(shown(distance.upper(), Rounding::up), data.length_unit) +
            ", an estimate";
   }
-  if (data.tolerance) text += " (tolerance " + short_exponent(to_text(*data.tolerance)) + ")";
+  if (data.tolerance) text += " (tolerance " + tolerance_text(data) + ")";
   return text;
 }
 
@@ -216,8 +226,7 @@ std::vector<Plot> quantity_plots(const ReportData& data) {
     plot.y.logarithmic = true;
     plot.series.push_back(series_of(data.error_xi, data.error));
     if (data.tolerance && *data.tolerance > 0.0) {
-      plot.levels.push_back(
-          {*data.tolerance, "tolerance " + short_exponent(to_text(*data.tolerance))});
+      plot.levels.push_back({*data.tolerance, "tolerance " + tolerance_text(data)});
     }
   }
   return plots;
@@ -251,7 +260,8 @@ std::vector<std::pair<std::string, std::string>> report_rows(const ReportData& d
         "at most " + with_unit(shown(*data.promises.curvature_bound, Rounding::up),
                                data.length_unit.empty() ? "" : "1/" + data.length_unit));
   }
-  if (const auto& orders = data.promises.continuity) {
+  const bool has_joints = data.segments > 1 || data.closed;
+  if (const auto& orders = data.promises.continuity; orders && has_joints) {
     rows.emplace_back("Continuity at the knots", "position " + order_text(orders->position) +
                                                      ", frame " + order_text(orders->frame) +
                                                      ", angular velocity " +

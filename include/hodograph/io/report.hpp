@@ -43,8 +43,8 @@ struct ReportData {
 
 /// The rows of the table, name and text, as they stand in the report and on a terminal: segments,
 /// position error and whether it is certified, length, smallest and largest speed, continuity at
-/// the knots, time taken. Numbers are rounded to a few digits, a lower bound down and an upper
-/// bound up.
+/// the knots where segments meet, time taken. Numbers are rounded to a few digits, a lower bound
+/// down and an upper bound up.
 std::vector<std::pair<std::string, std::string>> report_rows(const ReportData& data);
 
 /// The rows as aligned lines of text for a terminal, each ended by a line feed.
