@@ -38,8 +38,8 @@ Vector2<double> direction_of(const std::vector<double>& vector, bool by_degrees,
     return direction_of_angle(degrees * radians);
   }
   if (vector.empty()) {
-    refuse(std::string("a path of given length needs a direction at the ") + end + ": --" + end +
-               "-direction X,Y or --" + end + "-deg ANGLE",
+    refuse(std::string("a path of given length needs a direction at both ends: --") + end +
+               "-direction X,Y or --" + end + "-deg ANGLE is missing",
            "direction");
   }
   return vector_of(vector);
@@ -73,13 +73,13 @@ void run(HermiteFlags flags) {
   const auto curve = [&] {
     const Vector2<double> begin = vector_of(flags.begin), end = vector_of(flags.end);
     if (flags.by_length) {
-      const auto chosen = prescribed_length_curve(
-                              {begin, direction_of(flags.begin_direction, flags.begin_by_degrees,
-                                                   flags.begin_degrees, "begin")},
-                              {end, direction_of(flags.end_direction, flags.end_by_degrees,
-                                                 flags.end_degrees, "end")},
-                              flags.length)
-                              .value();
+      const auto begin_direction =
+          direction_of(flags.begin_direction, flags.begin_by_degrees, flags.begin_degrees, "begin");
+      const auto end_direction =
+          direction_of(flags.end_direction, flags.end_by_degrees, flags.end_degrees, "end");
+      const auto chosen =
+          prescribed_length_curve({begin, begin_direction}, {end, end_direction}, flags.length)
+              .value();
       method = "G1 Hermite of prescribed length";
       more = rows_of(chosen);
       if (!chosen.loop_free) {
@@ -118,20 +118,27 @@ std::unique_ptr<Command> hermite_command(CLI::App& program) {
   command->option("--begin", flags->begin, "X,Y", "where the path begins").list(2, 2).required();
   command->option("--end", flags->end, "X,Y", "where it ends").list(2, 2).required();
   command->group("By derivatives");
-  command
-      ->option("--begin-derivative", flags->begin_derivative, "X,Y",
-               "dr/dxi at the beginning; xi runs from 0 to 1")
-      .list(2, 2);
-  command->option("--end-derivative", flags->end_derivative, "X,Y", "dr/dxi at the end").list(2, 2);
+  Option begin_derivative = command->option("--begin-derivative", flags->begin_derivative, "X,Y",
+                                            "dr/dxi at the beginning; xi runs from 0 to 1");
+  Option end_derivative =
+      command->option("--end-derivative", flags->end_derivative, "X,Y", "dr/dxi at the end");
+  begin_derivative.list(2, 2);
+  end_derivative.list(2, 2);
   command->group("By length");
   Option length = command->option("--length", flags->length, "LENGTH",
                                   "the exact arc length; the speed is equal at both ends");
-  command->option("--begin-direction", flags->begin_direction, "X,Y", "of the path's beginning")
-      .list(2, 2);
-  command->option("--end-direction", flags->end_direction, "X,Y", "of its end").list(2, 2);
+  length.excludes(begin_derivative).excludes(end_derivative);
+  Option begin_direction = command->option("--begin-direction", flags->begin_direction, "X,Y",
+                                           "of the path's beginning");
+  Option end_direction =
+      command->option("--end-direction", flags->end_direction, "X,Y", "of its end");
   Option begin_degrees = command->option("--begin-deg", flags->begin_degrees, "ANGLE",
                                          "the same as an angle from the x axis, in degrees");
   Option end_degrees = command->option("--end-deg", flags->end_degrees, "ANGLE", "likewise");
+  begin_direction.list(2, 2).needs(length).excludes(begin_degrees);
+  end_direction.list(2, 2).needs(length).excludes(end_degrees);
+  begin_degrees.needs(length);
+  end_degrees.needs(length);
   flags->output.add_to(*command, "the path document (default path.json; '-': standard output)",
                        "an HTML report with pictures");
   command->examples(

@@ -24,6 +24,7 @@ struct OffsetFlags {
   std::string document, output = "-", format;
   std::vector<double> distances;
   std::size_t count = 101;
+  bool count_given = false;
 };
 
 const std::vector<std::string> formats = {"svg", "dxf", "csv", "json"};
@@ -111,17 +112,22 @@ std::string table_of(const std::vector<PathOffset>& offsets, const CuspFreeOffse
     text += offset.cusps.size() > most_listed ? ", ...\n" : "\n";
   }
   const auto limit = [](const Enclosure& one, const char* side) {
-    return one.lower() == std::numeric_limits<double>::max()
-               ? std::string("any distance to the ") + side
-               : to_text(one.lower()) + " to the " + side;
+    return (one.lower() == std::numeric_limits<double>::max() ? "at any distance"
+                                                              : "below " + to_text(one.lower())) +
+           " to the " + side;
   };
-  return text + "No cusps, certified, below " + limit(limits.left, "left") + " and " +
+  return text + "No cusps, certified, " + limit(limits.left, "left") + " and " +
          limit(limits.right, "right") + "\n";
 }
 
 void run(const OffsetFlags& flags) {
   require_distances(flags.distances);
   const std::string format = format_of(flags);
+  if (flags.count_given && format != "csv") {
+    throw Error(Fault{FaultCode::unsupported,
+                      "--count is the number of points in the format csv; the format is " + format,
+                      std::nullopt, "count", std::nullopt, std::nullopt});
+  }
   const PathDocument document = load_document(flags.document).value();
   const CuspFreeOffsets limits = cusp_free_offsets_of(document.path);
   OutputFile file = OutputFile::create(flags.output).value();
@@ -158,10 +164,10 @@ std::unique_ptr<Command> offset_command(CLI::App& program) {
                "distances, positive to the left of the path, negative to the right")
       .list(1, most_offsets)
       .required();
-  command
-      ->option("-n,--count", flags->count, "N",
-               "csv: N points on each, evenly spaced in the path's arc length (default 101)")
-      .whole_number(1, maximum_count);
+  Option count = command->option(
+      "-n,--count", flags->count, "N",
+      "csv: N points on each, evenly spaced in the path's arc length (default 101)");
+  count.whole_number(1, maximum_count);
   command->group("Files");
   command
       ->option("--format", flags->format, "FORMAT",
@@ -176,7 +182,10 @@ std::unique_ptr<Command> offset_command(CLI::App& program) {
       "An offset has a cusp where its distance is the radius of curvature. Offsets are neither\n"
       "trimmed where they cross themselves nor joined at corners. Some programs read splines of\n"
       "limited degree alone; that of a quintic's offset is 9.");
-  command->run([flags] { run(*flags); });
+  command->run([flags, count] {
+    flags->count_given = count.given();
+    run(*flags);
+  });
   return command;
 }
 

@@ -16,6 +16,15 @@ void require_written(const std::optional<Fault>& fault) {
   if (fault) throw Error(*fault);
 }
 
+void require_two_files(const OutputFlags& output) {
+  if (output.report != output.document) return;
+  throw Error(Fault{FaultCode::malformed_document,
+                    "the path document and the report cannot both go to " +
+                        (output.report == "-" ? "standard output" : "'" + output.report + "'") +
+                        "; name two files",
+                    std::nullopt, "report", std::nullopt, std::nullopt});
+}
+
 /// Gives the document the roll that makes the frame of a closed path periodic.
 void distribute_roll(PathDocument& document) {
   document.roll = document.path.visit([](const auto& path) -> std::optional<LinearRoll<double>> {
@@ -73,6 +82,7 @@ void OutputFlags::add_to(Command& command, const std::string& document_help,
 
 void write_files(const PathDocument& document, const ReportData& report,
                  const OutputFlags& output) {
+  require_two_files(output);
   auto document_file = OutputFile::create(output.document).value();
   std::optional<OutputFile> report_file;
   if (!output.report.empty()) report_file = OutputFile::create(output.report).value();
@@ -94,6 +104,7 @@ void write_files(const PathDocument& document, const ReportData& report,
 
 void fit_and_write(const Source& source, const FitFlags& flags, const OutputFlags& output,
                    const std::string& verb) {
+  require_two_files(output);
   // The names are tried before the work: one that cannot be written costs no time.
   static_cast<void>(OutputFile::create(output.document).value());
   if (!output.report.empty()) static_cast<void>(OutputFile::create(output.report).value());

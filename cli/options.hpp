@@ -38,7 +38,7 @@ struct OutputFlags {
 
 /// Writes the document and, where a file is named for it, the report; then the short table and the
 /// names of the files on standard output (on standard error where a file itself goes to standard
-/// output). Throws Error.
+/// output). Throws Error, also where both go to the same file.
 void write_files(const PathDocument& document, const ReportData& report, const OutputFlags& output);
 
 /// Fits a source, shows progress on a terminal, and writes as write_files does. Throws Error.

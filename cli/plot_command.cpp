@@ -71,8 +71,22 @@ std::string picture(const PlotFlags& flags, const PathDocument& document) {
   return to_svg(plots, plots.size());
 }
 
+[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
+  throw Error(
+      Fault{FaultCode::unsupported, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
+}
+
 void run(const PlotFlags& flags) {
+  if (!flags.offsets.empty() && flags.view != "path" && flags.view != "comb") {
+    refuse("offsets are drawn in the views path and comb; the view is " + flags.view, "offset");
+  }
+  if (flags.comb_scale && flags.view != "comb") {
+    refuse("--comb-scale is for the view comb; the view is " + flags.view, "comb_scale");
+  }
   const PathDocument document = load_document(flags.document).value();
+  if (document.path.dimension() == 2 && (flags.view == "xz" || flags.view == "yz")) {
+    refuse("the path is in the plane; the view " + flags.view + " is of paths in space", "view");
+  }
   OutputFile file = OutputFile::create(flags.output).value();
   file.write(picture(flags, document));
   if (const auto fault = file.commit()) throw Error(*fault);
@@ -116,11 +130,6 @@ std::unique_ptr<Command> plot_command(CLI::App& program) {
   command->run([flags, comb_scale] {
     if (comb_scale.given()) flags->comb_scale = flags->comb_scale_given;
     require_distances(flags->offsets);
-    if (!flags->offsets.empty() && flags->view != "path" && flags->view != "comb") {
-      throw Error(Fault{FaultCode::unsupported,
-                        "offsets are drawn in the views path and comb; the view is " + flags->view,
-                        std::nullopt, "offset", std::nullopt, std::nullopt});
-    }
     run(*flags);
   });
   return command;

@@ -9,17 +9,31 @@
 namespace hodograph::cli {
 namespace {
 
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, "points", std::nullopt,
+                    std::nullopt});
+}
+
 std::vector<Vector2<double>> from_json(const std::string& text, const std::string& name) {
-  Json json = Json::parse(text, nullptr, false);
+  const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) {
-    throw Error(Fault{FaultCode::malformed_document,
-                      name + " begins like JSON but is none: it should be a list of points [x, y]",
-                      std::nullopt, "points", std::nullopt, std::nullopt});
+    refuse(name + " begins like JSON but cannot be read as a list of points [x, y]");
   }
-  if (json.is_array()) json = Json{{"points", std::move(json)}};
-  Members members(json, "");
+  const bool named = json.is_object() && json.contains("points");
+  const Json& list = named ? json["points"] : json;
+  if (!list.is_array()) {
+    refuse(name +
+           " has no list of points; JSON should be a list of [x, y], alone or as the member "
+           "\"points\" of an object");
+  }
   std::vector<Vector2<double>> points;
-  for (const auto& p : members.vectors("points", 2)) points.push_back({p[0], p[1]});
+  for (const Json& p : list) {
+    if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) {
+      refuse(name + ", at " + (named ? "/points/" : "/") + std::to_string(points.size()) +
+             ": a point is two numbers [x, y]; here is " + in_quotes(p.dump()));
+    }
+    points.push_back({p[0].get<double>(), p[1].get<double>()});
+  }
   return points;
 }
 
@@ -34,9 +48,7 @@ std::vector<Vector2<double>> from_table(const Table& table,
     x = *named_x;
     y = *named_y;
   } else if (table.column_count < 2) {
-    throw Error(Fault{FaultCode::malformed_document,
-                      "a table of points needs two columns; this one has one", std::nullopt,
-                      "columns", 1.0, 2.0});
+    refuse("a table of points needs two columns; this one has one");
   }
   std::vector<Vector2<double>> points;
   points.reserve(table.row_count());

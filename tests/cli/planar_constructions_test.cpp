@@ -2,6 +2,7 @@
 // Planar constructions as a user runs them: spline, hermite, corner.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.hpp"
@@ -63,7 +64,7 @@ TEST(SplineCommand, ClosesAndMergesAndRefuses) {
   EXPECT_EQ(program.run({"spline", "twice.csv", "--merge-repeated"}).code, 0);
   expect_refused(program.run({"spline", "-"}, "1,2\n"), "");
   expect_refused(program.run({"spline", "-"}, "1\n2\n3\n"), "two columns");
-  expect_refused(program.run({"spline", "-"}, "[[0,0],[1]]"), "points/1");
+  expect_refused(program.run({"spline", "-"}, "[[0,0],[1]]"), "standard input, at /1: ");
   expect_refused(program.run({"spline", "-"}, "[[0,0],[1,"), "JSON");
   expect_refused(program.run({"spline", "-"}, "0,0\n1,nan\n"), "nan");
 }
@@ -88,6 +89,33 @@ TEST(HermiteCommand, HasTheLengthThatWasAskedFor) {
   expect_refused(program.run({"hermite", "--begin", "0", "--end", "1,0"}), "--begin");
 }
 
+TEST(HermiteCommand, RefusesWhatContradictsItself) {
+  const Program program;
+  const auto refused = [&](std::vector<std::string> more, const std::string& part) {
+    more.insert(more.begin(), {"hermite", "--begin", "0,0", "--end", "1,0"});
+    expect_refused(program.run(more), part);
+  };
+  refused({"--begin-deg", "3", "--end-deg", "3"}, "--length");
+  refused({"--begin-derivative", "1,0", "--end-derivative", "1,0", "--length", "2"}, "excludes");
+  refused({"--length", "2", "--begin-deg", "3", "--begin-direction", "1,0", "--end-deg", "3"},
+          "excludes");
+  refused({"--begin-derivative", "1,0", "--end-derivative", "1,1", "-o", "a", "--report", "a"},
+          "'a'");
+  refused({"--begin-derivative", "1,0", "--end-derivative", "1,1", "-o", "-", "--report", "-"},
+          "standard output");
+  EXPECT_FALSE(std::filesystem::exists(program.path("a")));
+}
+
+TEST(HermiteCommand, OfAStraightLineTheCurvatureIsZero) {
+  const Program program;
+  const Outcome made = program.run({"hermite", "--begin", "0,0", "--begin-derivative", "1,0",
+                                    "--end", "1,0", "--end-derivative", "1,0"});
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("at most 0\n"), std::string::npos) << made.out;
+  // One segment meets no other at a knot.
+  EXPECT_EQ(made.out.find("Continuity"), std::string::npos) << made.out;
+}
+
 TEST(CornerCommand, KeepsItsCurvature) {
   const Program program;
   write_text(program.path("route.csv"), "x,y\n0,0\n2,0\n3,2\n6,2\n");
@@ -104,7 +132,10 @@ TEST(CornerCommand, KeepsItsCurvature) {
   expect_refused(program.run({"corner", "--before", "0,0", "--at", "1,0", "--after", "1,1", "--leg",
                               "1", "--curvature", "2"}),
                  "one of");
-  ASSERT_EQ(program.run({"corner", "--before", "0,0", "--at", "1,0", "--after", "1,1"}).code, 0);
+  const Outcome one = program.run(
+      {"corner", "--before", "0,0", "--at", "1,0", "--after", "1,1", "--curvature", "4"});
+  ASSERT_EQ(one.code, 0);
+  EXPECT_NE(one.out.find("at most 4.0000000000"), std::string::npos) << one.out;  // not 4.001
   EXPECT_EQ(inspected(program, "path.json")["segments"], 1);
 }
 

@@ -194,6 +194,15 @@ TEST(PlotCommand, DrawsCombsProfilesAndOffsets) {
   EXPECT_NE(drawn({"--offset", "-2,-1,1,2,3"}).find("offsets to the left"), std::string::npos);
 }
 
+TEST(PlotCommand, RefusesOptionsOfOtherPictures) {
+  const Program program;
+  ASSERT_EQ(program.run({"spline", "-"}, "0,0\n1,1\n2,0\n").code, 0);
+  expect_refused(program.run({"plot", "path.json", "--view", "xz"}), "in the plane");
+  expect_refused(program.run({"plot", "path.json", "--comb-scale", "2"}), "comb");
+  expect_refused(program.run({"offset", "path.json", "-d", "1", "--format", "svg", "-n", "9"}),
+                 "--count");
+}
+
 TEST(PlotCommand, RefusesPlanarPicturesOfPathsInSpace) {
   const Program program;
   make_space_path(program);
