@@ -37,7 +37,8 @@ void run(SplineFlags flags) {
   if (report.alternatives_tried > 0) {
     more.emplace_back("Solutions", std::to_string(report.solutions_found) + " found in " +
                                        std::to_string(report.alternatives_tried) +
-                                       " trials; the one of least bending energy taken");
+                                       (report.alternatives_tried == 1 ? " trial" : " trials") +
+                                       "; the one of least bending energy taken");
   }
   if (report.merged_points > 0) {
     more.emplace_back("Repeated points", std::to_string(report.merged_points) + " left out");

@@ -10,6 +10,12 @@ namespace {
 
 std::string version_text() {
   std::string text = std::string("hodograph ") + version + "\ncomponents: core, io";
+#ifdef HODOGRAPH_HAS_SURFACE
+  text += ", surface";
+#endif
+#ifdef HODOGRAPH_HAS_PLANNING
+  text += ", planning";
+#endif
 #ifdef HODOGRAPH_HAS_ORBIT
   text += ", orbit";
 #endif

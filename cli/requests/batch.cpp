@@ -71,11 +71,10 @@ class LineReader {
     }
   }
   [[noreturn]] void fail() const {
-    throw Error(
-        Fault{FaultCode::malformed_document,
-              (name_ == "-" ? std::string("standard input") : std::string("'") + name_ + "'") +
-                  " cannot be read: " + std::strerror(errno),
-              std::nullopt, "file", std::nullopt, std::nullopt});
+    throw Error(Fault{FaultCode::malformed_document,
+                      "cannot read " + (name_ == "-" ? "standard input" : "'" + name_ + "'") +
+                          ": " + std::strerror(errno),
+                      std::nullopt, "file", std::nullopt, std::nullopt});
   }
 
   std::string name_;
