@@ -56,13 +56,32 @@ TEST(ProgramHelp, EverySubcommandHasASentenceAUsageAndAnExample) {
   }
 }
 
+/// Puts the files of examples/ where the program runs.
+void copy_examples(const Program& program) {
+  const std::filesystem::path from = std::string(HODOGRAPH_SOURCE_DIRECTORY) + "/examples";
+  for (const char* name : {"track.csv", "waypoints.csv", "route.csv", "requests.jsonl"}) {
+    ASSERT_TRUE(std::filesystem::copy_file(from / name, program.path(name)));
+  }
+}
+
+TEST(ProgramReadme, EveryCommandRuns) {
+  const Program program;
+  copy_examples(program);
+  int commands_found = 0;
+  for (const std::string& line :
+       lines_of(text_of_file(std::string(HODOGRAPH_SOURCE_DIRECTORY) + "/README.md"))) {
+    if (!line.starts_with("    hodograph ")) continue;
+    const Outcome outcome = program.shell(line);
+    EXPECT_EQ(outcome.code, 0) << line << "\n" << outcome.err;
+    ++commands_found;
+  }
+  EXPECT_GE(commands_found, 12);
+}
+
 TEST(ProgramHelp, EveryExampleRuns) {
   const Program program;
   ASSERT_EQ(program.run({"orbit"}).code, 0);  // gateway.json
-  write_text(program.path("track.csv"), circle_table(64));
-  write_text(program.path("waypoints.csv"), "x,y\n0,0\n1,0.5\n2,0.2\n2.5,1.5\n1,2\n");
-  write_text(program.path("route.csv"), "x,y\n0,0\n40,0\n60,40\n120,40\n");
-  write_text(program.path("requests.jsonl"), "{\"request\": \"orbit\"}\n");
+  copy_examples(program);
   ASSERT_EQ(program.run({"fit", "track.csv", "-t", "0.01", "-o", "track.json"}).code, 0);
   write_text(program.path("generate"), "#!/bin/sh\ncat track.csv\n");
   std::filesystem::permissions(program.path("generate"), std::filesystem::perms::owner_all);
