@@ -37,6 +37,8 @@ std::string_view name_of(FaultCode code) {
       return "tolerance_not_reached";
     case FaultCode::no_convergence:
       return "no_convergence";
+    case FaultCode::no_route:
+      return "no_route";
     case FaultCode::cancelled:
       return "cancelled";
   }
@@ -48,6 +50,7 @@ bool is_no_solution(FaultCode code) {
     case FaultCode::no_interpolant:
     case FaultCode::tolerance_not_reached:
     case FaultCode::no_convergence:
+    case FaultCode::no_route:
       return true;
     default:
       return false;
