@@ -60,11 +60,14 @@ std::vector<IsolatedRoot> places(const BernsteinPolynomial<Enclosure, m>& f) {
   return {{Enclosure(0.0, 1.0), RootKind::cluster, 0, 0}};
 }
 
-/// A parameter inside an enclosure of it.
-template <std::size_t n>
-double xi_within(const PlanarPath<n>& path, std::size_t k, const Enclosure& u,
-                 const Enclosure& xi) {
-  return std::clamp(path.xi_of({k, u.middle()}), xi.lower(), xi.upper());
+/// Where the local parameters u of segment k lie: their range, and a parameter inside it.
+template <class Place, std::size_t n>
+Place place_of(const PlanarPath<n>& path, std::size_t k, const Enclosure& u) {
+  Place place;
+  place.xi_range = xi_range(path, k, u);
+  place.xi =
+      std::clamp(path.xi_of({k, u.middle()}), place.xi_range.lower(), place.xi_range.upper());
+  return place;
 }
 
 /// The coefficients of a polynomial on the part u of [0, 1], in one enclosure.
@@ -124,9 +127,7 @@ std::vector<CurvatureStationaryPoint> curvature_stationary_points(const PlanarPa
         path_detail::EnclosedCurve<Complex<double>, n>(path.segment(k)));
     if (polynomials.is_straight()) continue;
     for (const IsolatedRoot& root : path_detail::places(polynomials.slope)) {
-      CurvatureStationaryPoint point;
-      point.xi_range = path_detail::xi_range(path, k, root.u);
-      point.xi = path_detail::xi_within(path, k, root.u, point.xi_range);
+      auto point = path_detail::place_of<CurvatureStationaryPoint>(path, k, root.u);
       point.curvature = polynomials.curvature_on(root.u);
       if (root.sign_before * root.sign_after < 0 && point.curvature.is_bounded()) {
         point.kind =
@@ -148,9 +149,7 @@ std::vector<Inflection> inflections(const PlanarPath<n>& path) {
     const path_detail::EnclosedCurve<Complex<double>, n> exact(path.segment(k));
     for (const IsolatedRoot& root :
          path_detail::places(path_detail::turning_polynomial(exact.preimage()))) {
-      Inflection point;
-      point.xi_range = path_detail::xi_range(path, k, root.u);
-      point.xi = path_detail::xi_within(path, k, root.u, point.xi_range);
+      auto point = path_detail::place_of<Inflection>(path, k, root.u);
       point.kind = root.kind;
       points.push_back(point);
     }

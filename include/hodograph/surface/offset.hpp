@@ -180,9 +180,7 @@ std::vector<OffsetCusp> offset_cusps(const PlanarPath<n>& path, double distance)
     const auto turning = path_detail::turning_polynomial(exact.preimage());
     const auto f = scale * square + turn * turning.template elevated<4 * n>();
     for (const IsolatedRoot& root : path_detail::places(f)) {
-      OffsetCusp cusp;
-      cusp.xi_range = path_detail::xi_range(path, k, root.u);
-      cusp.xi = path_detail::xi_within(path, k, root.u, cusp.xi_range);
+      auto cusp = path_detail::place_of<OffsetCusp>(path, k, root.u);
       cusp.kind = root.kind;
       cusps.push_back(cusp);
     }
