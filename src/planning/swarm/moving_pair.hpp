@@ -69,6 +69,11 @@ class Clocked {
     return (std::min(string, bow) + pace + bend.gap) * rounded_up + at_ends + jump;
   }
 
+  /// The same for a motion that may start or arrive in between: s may be anywhere between its ends.
+  double loose_deviation(const MovingPoint& a, const MovingPoint& b, double h) const {
+    return deviation(a, b, h) + std::max(0.0, b.place.arc_length - a.place.arc_length);
+  }
+
   const TimingLaw& law() const { return *law_; }
   /// The clock's time at the law's own.
   double clock_time(double local) const { return local - offset_; }
@@ -131,6 +136,14 @@ class MovingPair {
         stretch_(std::max(1.0, vertical_scale)),
         a_(a, window.begin, span_),
         b_(b, window.begin, span_) {}
+  /// Both on the clock of the window already.
+  MovingPair(const Clocked& a, const Clocked& b, const TimeWindow& window, double vertical_scale)
+      : window_(window),
+        span_(window.end - window.begin),
+        scale_(vertical_scale),
+        stretch_(std::max(1.0, vertical_scale)),
+        a_(a),
+        b_(b) {}
 
   double span() const { return span_; }
   double begin() const { return window_.begin; }

@@ -38,18 +38,24 @@ void first_times(const MovingPair& pair, std::vector<double>& times) {
   times.erase(std::unique(times.begin(), times.end()), times.end());
 }
 
-void SeparationSearch::start(const MovingPair& pair) {
-  first_times(pair, times_);
+void SeparationSearch::begin(double width, double cutoff) {
+  width_ = width;
+  cutoff_ = cutoff;
+  floor_ = none;
+  found_ = {};
   meetings_.clear();
-  for (const double time : times_) meetings_.push_back(pair.at(time));
+  open_.clear();
+  settled_.clear();
 }
 
-void SeparationSearch::note(std::size_t i) {
-  const double upper = meetings_[i].size + meetings_[i].error;
-  if (upper < found_.upper) {
+std::uint32_t SeparationSearch::add(const Meeting& meeting) {
+  const std::size_t i = meetings_.size();
+  meetings_.push_back(meeting);
+  if (const double upper = meeting.size + meeting.error; upper < found_.upper) {
     found_.upper = upper;
     found_.nearest = i;
   }
+  return static_cast<std::uint32_t>(i);
 }
 
 void SeparationSearch::keep(const Interval& interval) {
@@ -63,36 +69,12 @@ void SeparationSearch::keep(const Interval& interval) {
 
 SeparationSearch::Found SeparationSearch::run(const MovingPair& pair, double width, double cutoff,
                                               std::size_t most_evaluations) {
-  start(pair);
-  width_ = width;
-  cutoff_ = cutoff;
-  found_ = {};
-  open_.clear();
-  settled_.clear();
-  for (std::size_t i = 0; i < meetings_.size(); ++i) note(i);
+  begin(width, cutoff);
+  first_times(pair, times_);
+  for (const double time : times_) add(pair.at(time));
   if (meetings_.size() == 1) settled_.push_back({meetings_[0].size - meetings_[0].error, 0, 0});
-  for (std::size_t i = 0; i + 1 < meetings_.size(); ++i) {
-    keep({pair.least_between(meetings_[i], meetings_[i + 1]), static_cast<std::uint32_t>(i),
-          static_cast<std::uint32_t>(i + 1)});
-  }
-  return finish(pair, most_evaluations);
-}
-
-SeparationSearch::Found SeparationSearch::run_from(const MovingPair& pair,
-                                                   std::span<const Meeting> meetings,
-                                                   std::span<const double> lower, double width,
-                                                   double cutoff, std::size_t most_evaluations) {
-  meetings_.assign(meetings.begin(), meetings.end());
-  width_ = width;
-  cutoff_ = cutoff;
-  found_ = {};
-  open_.clear();
-  settled_.clear();
-  for (std::size_t i = 0; i < meetings_.size(); ++i) note(i);
-  for (std::size_t i = 0; i + 1 < meetings_.size(); ++i) {
-    const double bound =
-        lower.empty() ? pair.least_between(meetings_[i], meetings_[i + 1]) : lower[i];
-    keep({bound, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i + 1)});
+  for (std::uint32_t i = 0; i + 1 < meetings_.size(); ++i) {
+    add(i, i + 1, pair.least_between(meetings_[i], meetings_[i + 1]));
   }
   return finish(pair, most_evaluations);
 }
@@ -110,15 +92,14 @@ SeparationSearch::Found SeparationSearch::finish(const MovingPair& pair,
       settled_.push_back(top);
       continue;
     }
-    meetings_.push_back(pair.between(middle, meetings_[top.first], meetings_[top.last]));
-    const auto added = static_cast<std::uint32_t>(meetings_.size() - 1);
-    note(added);
+    const std::uint32_t added =
+        add(pair.between(middle, meetings_[top.first], meetings_[top.last]));
     keep({std::max(top.lower, pair.least_between(meetings_[top.first], meetings_[added])),
           top.first, added});
     keep({std::max(top.lower, pair.least_between(meetings_[added], meetings_[top.last])), added,
           top.last});
   }
-  found_.lower = open_.empty() ? found_.upper : open_.front().lower;
+  found_.lower = std::min(floor_, open_.empty() ? found_.upper : open_.front().lower);
   for (const Interval& interval : settled_) found_.lower = std::min(found_.lower, interval.lower);
   found_.lower = std::max(0.0, std::min(found_.lower, found_.upper));
   found_.evaluations = meetings_.size();

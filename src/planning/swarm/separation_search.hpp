@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "moving_pair.hpp"
@@ -32,11 +31,16 @@ class SeparationSearch {
   /// minimum is below that.
   Found run(const MovingPair& pair, double width, double cutoff, std::size_t most_evaluations);
 
-  /// The same from meetings in the order of time that are there already; `lower` bounds of the
-  /// intervals between them are given or, where empty, computed.
-  Found run_from(const MovingPair& pair, std::span<const Meeting> meetings,
-                 std::span<const double> lower, double width, double cutoff,
-                 std::size_t most_evaluations);
+  /// The same in steps: what is known already, then the search.
+  void begin(double width, double cutoff);
+  std::uint32_t add(const Meeting& meeting);
+  /// Between two meetings the distance is at least `lower`.
+  void add(std::uint32_t first, std::uint32_t last, double lower) { keep({lower, first, last}); }
+  /// On intervals that are not searched the distance is at least `lower`.
+  void allow(double lower) { floor_ = std::min(floor_, lower); }
+  /// The least upper bound among the meetings added.
+  double upper() const { return found_.upper; }
+  Found finish(const MovingPair& pair, std::size_t most_evaluations);
 
   const Meeting& meeting(std::size_t i) const { return meetings_[i]; }
   /// On the pair's clock: a range that contains every time at which the minimum is attained.
@@ -50,15 +54,12 @@ class SeparationSearch {
       return a.lower != b.lower ? a.lower > b.lower : a.first > b.first;
     }
   };
-  void start(const MovingPair& pair);
-  void note(std::size_t meeting);
   void keep(const Interval& interval);
-  Found finish(const MovingPair& pair, std::size_t most_evaluations);
 
   std::vector<double> times_;
   std::vector<Meeting> meetings_;
   std::vector<Interval> open_, settled_;
-  double width_ = 0.0, cutoff_ = 0.0;
+  double width_ = 0.0, cutoff_ = 0.0, floor_ = none;
   Found found_;
 };
 
