@@ -76,15 +76,7 @@ std::optional<Fault> data_fault(const PlanarHermitePoint& begin, const PlanarHer
         std::nullopt,
         std::nullopt};
   }
-  if (!(std::isfinite(h) && h > 0.0)) {
-    return Fault{FaultCode::outside_domain,
-                 "the parameter step must be positive; got " + to_text(h),
-                 index,
-                 "parameter_step",
-                 h,
-                 0.0};
-  }
-  return std::nullopt;
+  return construction_detail::step_fault(h, index);
 }
 
 /// The data of one problem, scaled.

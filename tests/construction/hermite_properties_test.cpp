@@ -20,6 +20,7 @@
 namespace hodograph {
 namespace {
 
+using test::growth;
 using test::HermiteSet;
 using test::Random;
 using test::RandomCurve;
@@ -61,13 +62,6 @@ Set reversed_set(const Set& set) {
 
 // ---- continuity
 // ----------------------------------------------------------------------------------
-
-/// The factor n!/(n-r)! 2^r of the bound.
-double growth(std::size_t n, std::size_t r) {
-  double factor = 1.0;
-  for (std::size_t j = 0; j < r; ++j) factor *= 2.0 * static_cast<double>(n - j);
-  return factor;
-}
 
 /// Every derivative of the preimage and of the position at every knot: the jump of derivative r
 /// times (shorter h)^r is at most 4 ε 2^r n!/(n-r)! times the largest local coefficient.

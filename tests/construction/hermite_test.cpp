@@ -65,11 +65,8 @@ void compare_sample(const SpatialPath<8>& path, const Json& sample, double devia
   const auto at = path.locate(xi);
   const auto& segment = path.segment(at.segment);
   const double h = segment.parameter_step();
-  // 2^r d!/(d-r)! / h^r: what the r-th derivative of degree d makes of an error of coefficients.
-  const auto growth = [h](double degree, int r) {
-    double factor = 1.0;
-    for (int j = 0; j < r; ++j) factor *= 2.0 * (degree - j) / h;
-    return factor;
+  const auto growth = [h](std::size_t degree, std::size_t r) {
+    return test::growth(degree, r) / std::pow(h, static_cast<double>(r));
   };
   const double tolerance = fair * deviation / eps;
   double position_size = 0.0, preimage_size = 0.0;
@@ -83,20 +80,19 @@ void compare_sample(const SpatialPath<8>& path, const Json& sample, double devia
 
   const auto p = path.position_derivatives<4>(xi);
   for (std::size_t r = 0; r <= 4; ++r) {
-    EXPECT_CLOSE(p[r], sample["p"][r].vector(), tolerance,
-                 position_size * growth(17.0, static_cast<int>(r)));
+    EXPECT_CLOSE(p[r], sample["p"][r].vector(), tolerance, position_size * growth(17, r));
   }
   const auto jet = path.preimage_jet<3>(xi);
   const double sigma = norm(p[1]);
   double relative = preimage_size / std::sqrt(sigma);  // conditioning of what is divided by |A|
   for (std::size_t r = 0; r <= 3; ++r) {
     EXPECT_CLOSE(jet[r], sample["A_global"][r].quaternion(), tolerance,
-                 preimage_size * growth(8.0, static_cast<int>(r)));
+                 preimage_size * growth(8, r));
   }
   const auto speeds = speed_derivatives(jet);
   for (std::size_t r = 0; r <= 3; ++r) {
     EXPECT_CLOSE(speeds[r], sample["sigma"][r].number(), 2.0 * tolerance,
-                 preimage_size * preimage_size * growth(16.0, static_cast<int>(r)));
+                 preimage_size * preimage_size * growth(16, r));
   }
   const AdaptedFrame frame(path);
   const auto frames = frame.derivatives<2>(xi);
@@ -105,8 +101,7 @@ void compare_sample(const SpatialPath<8>& path, const Json& sample, double devia
   // |A^(r)| h^r/|A| is at most 2^r 8!/(8-r)! relative; products of at most three such, and their
   // sum over the quotient rule, stay below growth(16, r) relative^(r+1), doubled.
   for (std::size_t r = 0; r < 3; ++r) {
-    const double scale =
-        2.0 * growth(16.0, static_cast<int>(r)) * std::pow(relative, static_cast<double>(r + 1));
+    const double scale = 2.0 * growth(16, r) * std::pow(relative, static_cast<double>(r + 1));
     for (std::size_t k = 0; k < 3; ++k) {
       if (!sample["R"].size() || r > 1) continue;
       const auto expected = (r == 0 ? sample["R"] : sample["R_d1"])[k].vector();
@@ -114,11 +109,11 @@ void compare_sample(const SpatialPath<8>& path, const Json& sample, double devia
       EXPECT_CLOSE(actual, expected, tolerance, scale);
     }
     EXPECT_CLOSE(world[r], sample["omega"][r].vector(), tolerance,
-                 scale * growth(16.0, 1) * relative);
-    EXPECT_CLOSE(body[r], sample["chi"][r].vector(), tolerance, scale * growth(16.0, 1) * relative);
+                 scale * growth(16, 1) * relative);
+    EXPECT_CLOSE(body[r], sample["chi"][r].vector(), tolerance, scale * growth(16, 1) * relative);
   }
   EXPECT_CLOSE(frame.world_rate_per_arc_length(xi), sample["omega_s"].vector(), tolerance,
-               2.0 * growth(16.0, 1) * relative * relative / sigma);
+               2.0 * growth(16, 1) * relative * relative / sigma);
   EXPECT_CLOSE(path.arc_length(xi), sample["s"].number(), tolerance, path.arc_length());
 }
 

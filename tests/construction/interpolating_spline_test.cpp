@@ -19,6 +19,7 @@
 namespace hodograph {
 namespace {
 
+using test::growth;
 using test::Random;
 
 constexpr double eps = epsilon<double>();
@@ -38,13 +39,6 @@ std::vector<Vector3<double>> samples_of(const Gamma& gamma, const std::vector<do
   std::vector<Vector3<double>> points;
   for (const double x : t) points.push_back(gamma(x));
   return points;
-}
-
-/// 2^r p!/(p-r)!: what derivative r of degree p makes of an error of its coefficients.
-double growth(std::size_t p, std::size_t r) {
-  double factor = 1.0;
-  for (std::size_t j = 0; j < r; ++j) factor *= 2.0 * static_cast<double>(p - j);
-  return factor;
 }
 
 /// The samples are met, and derivatives 0 ... p-1 agree at the breakpoints, both to a few ε of the

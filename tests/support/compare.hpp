@@ -103,6 +103,14 @@ template <class A, class E, class Scale>
          << " (" << wrong << " of " << position << " numbers):" << problems.str();
 }
 
+/// 2^r n!/(n-r)!: what derivative r on [0, 1] of a polynomial of degree n makes of an error of its
+/// Bernstein coefficients.
+inline double growth(std::size_t n, std::size_t r) {
+  double factor = 1.0;
+  for (std::size_t j = 0; j < r; ++j) factor *= 2.0 * static_cast<double>(n - j);
+  return factor;
+}
+
 }  // namespace hodograph::test
 
 /// EXPECT_CLOSE(actual, expected, tolerance_in_eps, scale); see hodograph::test::is_close.

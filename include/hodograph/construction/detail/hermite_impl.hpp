@@ -59,17 +59,6 @@ std::optional<Fault> point_fault(const HermitePoint<m, S>& point, std::size_t in
   return std::nullopt;
 }
 
-template <class S>
-std::optional<Fault> step_fault(const S& h) {
-  if (is_finite(h) && S(0) < h) return std::nullopt;
-  return Fault{FaultCode::outside_domain,
-               "the parameter step must be positive; got " + to_text(to_double(h)),
-               std::nullopt,
-               "parameter_step",
-               to_double(h),
-               0.0};
-}
-
 inline Fault range_fault(std::size_t index) {
   return {FaultCode::no_interpolant,
           "segment " + std::to_string(index) +
@@ -302,7 +291,7 @@ std::array<Vector3<S>, m> scaled_derivatives(const HermitePoint<m, S>& point, do
 template <std::size_t m, class S>
 std::optional<Fault> ends_fault(const HermitePoint<m, S>& begin, const HermitePoint<m, S>& end,
                                 const S& h) {
-  if (auto fault = step_fault(h)) return fault;
+  if (auto fault = construction_detail::step_fault(h)) return fault;
   if (auto fault = point_fault<m, S>(begin, 0)) return fault;
   return point_fault<m, S>(end, 1);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be wrong with points that are to be joined at knots, before any is looked at.
+// What can be wrong with points that are to be joined at knots, before any is looked at, and with
+// a parameter step.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +9,22 @@
 #include <string>
 
 #include "hodograph/foundation/fault.hpp"
+#include "hodograph/foundation/scalar.hpp"
 #include "hodograph/path/detail/knots_fault.hpp"
 
 namespace hodograph::construction_detail {
+
+/// outside_domain where h is no parameter step of a segment: not positive, or not finite.
+template <class S>
+std::optional<Fault> step_fault(const S& h, std::optional<std::size_t> segment = std::nullopt) {
+  if (is_finite(h) && S(0) < h) return std::nullopt;
+  return Fault{FaultCode::outside_domain,
+               "the parameter step must be positive; got " + to_text(to_double(h)),
+               segment,
+               "parameter_step",
+               to_double(h),
+               0.0};
+}
 
 /// mismatched_size where there is not one of the numbers called `name` for every point.
 inline std::optional<Fault> size_fault(std::size_t points, std::size_t numbers,
