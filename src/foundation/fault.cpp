@@ -39,6 +39,8 @@ std::string_view name_of(FaultCode code) {
       return "no_convergence";
     case FaultCode::no_route:
       return "no_route";
+    case FaultCode::not_separated:
+      return "not_separated";
     case FaultCode::cancelled:
       return "cancelled";
   }
@@ -51,6 +53,7 @@ bool is_no_solution(FaultCode code) {
     case FaultCode::tolerance_not_reached:
     case FaultCode::no_convergence:
     case FaultCode::no_route:
+    case FaultCode::not_separated:
       return true;
     default:
       return false;

@@ -30,6 +30,7 @@ enum class FaultCode {
   tolerance_not_reached,  ///< a fit that would need more segments than allowed
   no_convergence,         ///< an iteration that did not settle
   no_route,               ///< start and goal that nothing allowed joins
+  not_separated,          ///< vehicles that nothing within the search keeps apart
   cancelled,              ///< stopped on request
 };
 
