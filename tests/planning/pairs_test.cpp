@@ -33,7 +33,8 @@ std::vector<Vehicle> random_swarm(Random& random, std::size_t count, Times times
     if (spatial && random.chance(0.5)) {
       const auto path = test::random_path<SpatialPath<2>>(random, 2);
       swarm.push_back({"s" + std::to_string(swarm.size()),
-                       TimedMotion::create(path, law(path.arc_length()), presence).value(), radius});
+                       TimedMotion::create(path, law(path.arc_length()), presence).value(),
+                       radius});
       continue;
     }
     const auto curve = prescribed_length_curve({random.vector2(1.0), random.unit_vector2()},
@@ -76,7 +77,8 @@ TEST(Pairs, AnswerAsPairByPair) {
         }
         const double required = swarm[i].radius + swarm[j].radius + goal.clearance;
         const Answer keeps = separated_by(a, b, required, goal.separation);
-        const bool listed = next < close.size() && close[next].first == i && close[next].second == j;
+        const bool listed =
+            next < close.size() && close[next].first == i && close[next].second == j;
         EXPECT_EQ(listed, keeps != Answer::yes);
         if (listed) {
           EXPECT_EQ(close[next].keeps, keeps);
