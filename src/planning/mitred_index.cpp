@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace hodograph::planning_detail {
@@ -149,6 +150,9 @@ class MitredIndex::Builder {
     const auto add = [&](const Corner& corner) {
       if (orientation(corner.before, corner.at, corner.after) > 0) corners.push_back(corner);
     };
+    if (offset_at(v) == 0.0) {
+      return add({p, outer_begin(index_.solid_before(v)), outer_end(v), v});
+    }
     switch (kind(v)) {
       case VertexKind::tip:
         return add({outer_begin(v), outer_begin(before), outer_end(v), v});
@@ -207,13 +211,18 @@ class MitredIndex::Builder {
     return found == ring_offset.end() ? index_.ring_of(v).offset : found->second;
   }
 
-  Point outer(std::uint32_t edge, std::uint32_t v) {
-    double d = ring_distance(v);
-    const VertexKind what = kind(v);
-    if (what == VertexKind::tip && !corner_offset.empty()) {
+  double offset_at(std::uint32_t v) const {
+    if (!corner_offset.empty() && kind(v) == VertexKind::tip) {
       const auto found = corner_offset.find(v);
-      if (found != corner_offset.end()) d = found->second;
+      if (found != corner_offset.end()) return found->second;
     }
+    return ring_distance(v);
+  }
+
+  /// The outer end of the strip of an edge at its vertex v.
+  Point outer(std::uint32_t edge, std::uint32_t v) {
+    const double d = offset_at(v);
+    const VertexKind what = kind(v);
     if (d == 0.0) return index_.points_[v];
     if (what != VertexKind::square_end) return checked(v, index_.meeting_point(v, d), d);
     const Direction u = direction(index_.points_[edge], index_.points_[index_.next(edge)]);
@@ -291,18 +300,56 @@ std::optional<Fault> MitredIndex::unusable_offset(double offset, const char* qua
 }
 
 void MitredIndex::flatten() {
+  // What touches which edge, by the edge.
+  std::vector<RingContact> contacts = world_.contacts();
+  std::erase_if(contacts, [&](const RingContact& c) {
+    return world_.point(c.vertex) == world_.point(c.edge);
+  });
+  std::sort(contacts.begin(), contacts.end(), [](const RingContact& a, const RingContact& b) {
+    return std::pair(a.edge, a.vertex) < std::pair(b.edge, b.vertex);
+  });
   const auto add = [&](std::uint32_t obstacle, std::uint32_t number, const Ring& ring, double d) {
     const auto begin = static_cast<std::uint32_t>(points_.size());
     const auto size = static_cast<std::uint32_t>(ring.size());
-    ring_of_.insert(ring_of_.end(), size, static_cast<std::uint32_t>(rings_.size()));
-    rings_.push_back({obstacle, number, begin, size, d});
-    // The bounds are solid outside: they run the other way round.
+    const auto world_begin = static_cast<std::uint32_t>(flat_.size());
+    flat_.resize(world_begin + size);
     for (std::uint32_t i = 0; i < size; ++i) {
-      points_.push_back(ring[obstacle == WorldVertex::bounds && i != 0 ? size - i : i]);
+      // The bounds are solid outside: they run the other way round.
+      const auto turned = [&](std::uint32_t k) {
+        return obstacle == WorldVertex::bounds && k != 0 ? size - k : k;
+      };
+      const WorldVertex vertex{obstacle, number, turned(i)};
+      flat_[world_begin + vertex.vertex] = static_cast<std::uint32_t>(points_.size());
+      const Point from = ring[vertex.vertex];
+      points_.push_back(from);
+      identities_.push_back(vertex);
+      auto touching = std::lower_bound(
+          contacts.begin(), contacts.end(), vertex,
+          [](const RingContact& c, const WorldVertex& edge) { return c.edge < edge; });
+      std::vector<std::pair<Point, WorldVertex>> inside;
+      for (; touching != contacts.end() && touching->edge == vertex; ++touching) {
+        inside.emplace_back(world_.point(touching->vertex), touching->vertex);
+      }
+      std::sort(inside.begin(), inside.end(), [&](const auto& a, const auto& b) {
+        const auto away = [&](const Point& p) {
+          return std::max(std::fabs(p.x - from.x), std::fabs(p.y - from.y));
+        };
+        return std::pair(away(a.first), a.second) < std::pair(away(b.first), b.second);
+      });
+      for (const auto& [point, touching_vertex] : inside) {
+        if (points_.back() == point) continue;
+        points_.push_back(point);
+        identities_.push_back(touching_vertex);
+      }
     }
+    const auto flat_size = static_cast<std::uint32_t>(points_.size()) - begin;
+    ring_of_.insert(ring_of_.end(), flat_size, static_cast<std::uint32_t>(rings_.size()));
+    rings_.push_back({obstacle, number, begin, flat_size, world_begin, size, d});
   };
   points_.reserve(world_.vertex_count());
+  identities_.reserve(world_.vertex_count());
   ring_of_.reserve(world_.vertex_count());
+  flat_.reserve(world_.vertex_count());
   for (std::uint32_t k = 0; k < world_.obstacles().size(); ++k) {
     const Polygon& polygon = world_.obstacles()[k];
     first_ring_of_obstacle_.push_back(static_cast<std::uint32_t>(rings_.size()));
@@ -313,13 +360,54 @@ void MitredIndex::flatten() {
   }
   first_ring_of_obstacle_.push_back(static_cast<std::uint32_t>(rings_.size()));
   if (world_.bounds()) add(WorldVertex::bounds, 0, *world_.bounds(), bounds_offset_);
+  solid_before_.resize(points_.size());
+  for (std::uint32_t v = 0; v < points_.size(); ++v) solid_before_[v] = previous(v);
+  pair_touching_edges();
 }
 
-WorldVertex MitredIndex::identity(std::uint32_t v) const {
-  const RingSpan& ring = ring_of(v);
-  std::uint32_t vertex = v - ring.begin;
-  if (ring.obstacle == WorldVertex::bounds && vertex != 0) vertex = ring.size - vertex;
-  return {ring.obstacle, ring.ring, vertex};
+void MitredIndex::pair_touching_edges() {
+  // All vertices here that stand at a point of contact, by obstacle and point.
+  std::map<std::tuple<std::uint32_t, double, double>, std::vector<std::uint32_t>> meetings;
+  for (const RingContact& contact : world_.contacts()) {
+    const Point at = world_.point(contact.vertex);
+    auto& vertices = meetings[{contact.vertex.obstacle, at.x, at.y}];
+    vertices.push_back(*find(contact.vertex));
+    std::uint32_t v = *find(contact.edge);
+    while (points_[v] != at) v = next(v);
+    vertices.push_back(v);
+  }
+  struct Ray {
+    Point towards{};
+    bool leaves = false;
+    std::uint32_t vertex = 0;  // the one it leaves from, or comes from
+  };
+  for (auto& [place, vertices] : meetings) {
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    const Point at = points_[vertices.front()];
+    std::vector<Ray> rays;
+    for (const std::uint32_t v : vertices) {
+      rays.push_back({points_[next(v)], true, v});
+      rays.push_back({points_[previous(v)], false, previous(v)});
+    }
+    const Point zero = rays.front().towards;
+    std::sort(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) {
+      const int order = compare_angles(at, zero, a.towards, b.towards);
+      if (order != 0) return order < 0;
+      // In one direction, solid ends before solid begins; the first ray begins.
+      const bool both_at_zero = compare_angles(at, zero, a.towards, zero) == 0;
+      return both_at_zero ? a.leaves && !b.leaves : !a.leaves && b.leaves;
+    });
+    // Anticlockwise from an edge that leaves, solid goes on to the next edge that comes in.
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      if (!rays[i].leaves) continue;
+      std::size_t k = i;
+      do {
+        k = k + 1 == rays.size() ? 0 : k + 1;
+      } while (rays[k].leaves && k != i);
+      solid_before_[rays[i].vertex] = rays[k].vertex;
+    }
+  }
 }
 
 std::optional<std::uint32_t> MitredIndex::find(const WorldVertex& vertex) const {
@@ -333,9 +421,8 @@ std::optional<std::uint32_t> MitredIndex::find(const WorldVertex& vertex) const 
     if (number >= first_ring_of_obstacle_[vertex.obstacle + 1]) return std::nullopt;
   }
   const RingSpan& ring = rings_[number];
-  if (vertex.vertex >= ring.size) return std::nullopt;
-  const bool turned = ring.obstacle == WorldVertex::bounds && vertex.vertex != 0;
-  return ring.begin + (turned ? ring.size - vertex.vertex : vertex.vertex);
+  if (vertex.vertex >= ring.world_size) return std::nullopt;
+  return flat_[ring.world_begin + vertex.vertex];
 }
 
 std::vector<VertexKind> MitredIndex::kinds_of(const RingSpan& ring, double d) const {

@@ -21,10 +21,12 @@ namespace hodograph::planning_detail {
 
 inline constexpr std::uint32_t nothing = 0xffffffff;
 
-/// A ring in the flat list of vertices, the solid to its left.
+/// A ring in the flat list of vertices, the solid to its left. Points where its edges are touched
+/// by vertices of the same polygon are vertices here, too.
 struct RingSpan {
   std::uint32_t obstacle = 0, ring = 0;
   std::uint32_t begin = 0, size = 0;
+  std::uint32_t world_begin = 0, world_size = 0;  ///< likewise, among the World's vertices
   double offset = 0.0;
 };
 
@@ -109,7 +111,10 @@ class MitredIndex {
     return (v == ring.begin ? ring.begin + ring.size : v) - 1;
   }
   VertexKind kind(std::uint32_t v) const { return kinds_[v]; }
-  WorldVertex identity(std::uint32_t v) const;
+  WorldVertex identity(std::uint32_t v) const { return identities_[v]; }
+  /// The vertex before v along the border of the solid that the edge from v belongs to: where rings
+  /// of a polygon touch, each sector of solid between two of their edges counts alone.
+  std::uint32_t solid_before(std::uint32_t v) const { return solid_before_[v]; }
   /// Absent where there is no such vertex.
   std::optional<std::uint32_t> find(const WorldVertex& vertex) const;
 
@@ -138,6 +143,7 @@ class MitredIndex {
   class Builder;
   MitredIndex() = default;
   void flatten();
+  void pair_touching_edges();
   /// The kinds of the vertices of a ring for an offset.
   std::vector<VertexKind> kinds_of(const RingSpan& ring, double d) const;
 
@@ -146,6 +152,9 @@ class MitredIndex {
   std::vector<RingSpan> rings_;
   std::vector<Point> points_;
   std::vector<std::uint32_t> ring_of_;
+  std::vector<WorldVertex> identities_;
+  std::vector<std::uint32_t> solid_before_;
+  std::vector<std::uint32_t> flat_;  // the number here of each of the World's vertices
   std::vector<std::uint32_t> first_ring_of_obstacle_;
   std::vector<VertexKind> kinds_;
   std::vector<std::pair<Point, Point>> outer_ends_;

@@ -121,7 +121,7 @@ class Probe {
       stretches_.add(forwards, p, q);
     }
     if (!on_segment(p, a_, b_)) return false;
-    const Sector solid{q, index_.point(index_.previous(edge))};
+    const Sector solid{q, index_.point(index_.solid_before(edge))};
     return (p != a_ && strictly_inside(p, solid, a_)) || (p != b_ && strictly_inside(p, solid, b_));
   }
 
@@ -164,7 +164,7 @@ class Surroundings {
     if (!on_segment(p_, p, q)) return false;
     touched_.push_back(index_.ring_of(edge).obstacle);
     if (p_ == p) {
-      sectors_.push_back({q, index_.point(index_.previous(edge))});
+      sectors_.push_back({q, index_.point(index_.solid_before(edge))});
     } else if (p_ != q) {
       sectors_.push_back({q, p});
     }

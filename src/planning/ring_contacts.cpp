@@ -14,7 +14,7 @@ namespace {
 /// A vertex of the polygon with its neighbours along the ring: the pass of a ring through a point.
 struct Pass {
   std::uint32_t ring = 0;
-  std::uint32_t vertex = 0;
+  std::uint32_t vertex = 0;  // in the World's ring, of the bounds, too
   Point before{}, at{}, after{};
 
   /// The solid sector, and the free one.
@@ -24,8 +24,9 @@ struct Pass {
 
 class Contacts {
  public:
-  Contacts(const std::vector<const Ring*>& rings, const World& world, std::uint32_t obstacle)
-      : rings_(rings), world_(world), obstacle_(obstacle) {}
+  Contacts(const std::vector<const Ring*>& rings, const World& world, std::uint32_t obstacle,
+           std::vector<RingContact>& found)
+      : rings_(rings), world_(world), obstacle_(obstacle), found_(found) {}
 
   std::optional<Fault> run() {
     if (auto fault = collect()) return fault;
@@ -67,9 +68,10 @@ class Contacts {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       const Ring& ring = *rings_[r];
       for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Pass pass{static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(i),
-                        ring[previous_vertex(i, ring.size())], ring[i],
-                        ring[next_vertex(i, ring.size())]};
+        const bool turned = obstacle_ == WorldVertex::bounds && i != 0;
+        const Pass pass{
+            static_cast<std::uint32_t>(r), static_cast<std::uint32_t>(turned ? ring.size() - i : i),
+            ring[previous_vertex(i, ring.size())], ring[i], ring[next_vertex(i, ring.size())]};
         if (orientation(pass.before, pass.at, pass.after) == 0 &&
             same_side(pass.at, pass.before, pass.after)) {
           return refused(pass, " turns straight back at " + vertex_text(pass));
@@ -107,6 +109,8 @@ class Contacts {
       other.at = x;
     }
     group_[group_of(vertex.ring)] = group_of(edge.ring);
+    found_.push_back(
+        {{obstacle_, vertex.ring, vertex.vertex}, {obstacle_, edge.ring, edge.vertex}});
     if (disjoint(x, vertex.left(), other.left())) return std::nullopt;
     if (!disjoint(x, vertex.right(), other.right())) return crossing(vertex, edge);
     const auto same_direction = [&](const Point& p, const Point& q) {
@@ -180,6 +184,7 @@ class Contacts {
   const std::vector<const Ring*>& rings_;
   const World& world_;
   std::uint32_t obstacle_;
+  std::vector<RingContact>& found_;
   std::vector<Pass> edges_;
   std::vector<std::uint32_t> group_;  // of rings that touch: a forest whose roots name the groups
 };
@@ -210,8 +215,8 @@ std::string ring_text(std::uint32_t obstacle, std::uint32_t ring) {
 }
 
 std::optional<Fault> ring_conflict(const std::vector<const Ring*>& rings, const World& world,
-                                   std::uint32_t obstacle) {
-  return Contacts(rings, world, obstacle).run();
+                                   std::uint32_t obstacle, std::vector<RingContact>& contacts) {
+  return Contacts(rings, world, obstacle, contacts).run();
 }
 
 }  // namespace hodograph::planning_detail

@@ -22,7 +22,8 @@ std::string ring_text(std::uint32_t obstacle, std::uint32_t ring);
 /// region together: rings that cross, turn straight back or leave walls without thickness, holes
 /// outside. Where rings touch, the solid sectors of two passes through the point must not overlap,
 /// or the free ones: then the winding number takes two neighbouring values, solid and free.
+/// The bounds, solid outside, come as clockwise. Contacts found are appended.
 std::optional<Fault> ring_conflict(const std::vector<const Ring*>& rings, const World& world,
-                                   std::uint32_t obstacle);
+                                   std::uint32_t obstacle, std::vector<RingContact>& contacts);
 
 }  // namespace hodograph::planning_detail

@@ -21,28 +21,129 @@ constexpr double half_plane_margin = 0x1p-48;
 /// Two ways to a corner whose lengths differ by less than this fraction may be equal: more than
 /// 2^8 legs' sums would have to go wrong the same way.
 constexpr double equal_lengths = 0x1p-44;
-/// Edges before and after the one that stopped a leg that hide what is behind them.
-constexpr int occluding_edges = 12;
+/// Edges before and after a corner that are looked at for what they hide.
+constexpr int occluding_edges = 8;
 /// From this many corners on, the search tries from time to time whether the goal is walled in.
 constexpr std::size_t first_check_from_goal = 512;
 
+/// The closed half-plane x p.x + y p.y ≥ least.
 struct HalfPlane {
-  double x = 0.0, y = 0.0, least = 0.0;  ///< x p.x + y p.y > least
+  double x = 0.0, y = 0.0, least = 0.0;
 
-  double most_in(const Box& b) const {
-    return x * (x > 0.0 ? b.x1 : b.x0) + y * (y > 0.0 ? b.y1 : b.y0);
-  }
-  double least_in(const Box& b) const {
-    return x * (x > 0.0 ? b.x0 : b.x1) + y * (y > 0.0 ? b.y0 : b.y1);
+  bool holds(const Point& p) const { return x * p.x + y * p.y >= least; }
+  bool meets(const Box& b) const {
+    return x * (x > 0.0 ? b.x1 : b.x0) + y * (y > 0.0 ? b.y1 : b.y0) >= least;
   }
 };
 
-double length_of(const Point& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+double square_of(const Point& v) { return v.x * v.x + v.y * v.y; }
+double length_of(const Point& v) { return std::sqrt(square_of(v)); }
+double cross_of(const Point& a, const Point& b) { return a.x * b.y - a.y * b.x; }
 
-/// What a piece hides from a label: what all three half-planes hold.
-struct Shadow {
-  std::array<HalfPlane, 3> sides{};
-  std::uint32_t next = nothing;
+/// How far one sees from a point in the directions of a wedge: the square of a distance beyond
+/// which everything in a direction is certainly hidden, as a step function of the direction.
+///
+/// A direction p = α a + β b, a and b along the wedge's borders, has the coordinate β/(α + β): 0 to
+/// 1 across the wedge, monotonic in the angle wherever α + β > 0.
+class View {
+ public:
+  View() = default;
+  /// Domain: unit vectors, b less than half a turn anticlockwise from a.
+  View(const Point& a, const Point& b) : a_(a), b_(b) {
+    // Coordinates of narrower wedges would lose more than half of their digits.
+    constexpr double narrowest = 0x1p-26;
+    usable_ = cross_of(a, b) > narrowest;
+    steps_.push_back({0.0, std::numeric_limits<double>::infinity()});
+  }
+
+  bool usable() const { return usable_; }
+
+  /// The coordinate; absent behind, and beside within rounding. Correct to 2^-24.
+  std::optional<double> coordinate(const Point& v) const {
+    const double beta = cross_of(a_, v), alpha = cross_of(v, b_);
+    const double sum = alpha + beta;
+    constexpr double least = 0x1p-26;  // of the size of v: as for narrow wedges
+    if (!(sum > least * (std::fabs(v.x) + std::fabs(v.y)))) return std::nullopt;
+    return beta / sum;
+  }
+
+  /// Hides what is further than √square in directions strictly between two coordinates.
+  void hide(double from, double to, double square) {
+    from = std::max(from + slack, 0.0);
+    to = std::min(to - slack, 1.0);
+    if (!(from < to)) return;
+    const double limit = square * rounding_up;
+    std::size_t i = step_at(from);
+    bool changes = false;
+    for (std::size_t k = i; k < steps_.size() && steps_[k].begin < to; ++k) {
+      if (steps_[k].limit > limit) changes = true;
+    }
+    if (!changes) return;
+    std::size_t last = i;  // the step that `to` falls into, or ends
+    while (last + 1 < steps_.size() && steps_[last + 1].begin < to) ++last;
+    const double after = steps_[last].limit;
+    const bool splits_end = last + 1 < steps_.size() ? steps_[last + 1].begin > to : to < 1.0;
+    if (splits_end && after > limit) insert(last + 1, {to, after});
+    if (steps_[i].limit > limit && steps_[i].begin < from) {
+      insert(i + 1, {from, steps_[i].limit});
+      ++i;
+      ++last;
+    }
+    for (std::size_t k = i; k <= last; ++k) steps_[k].limit = std::min(steps_[k].limit, limit);
+    // Steps of equal height become one.
+    const auto begin = steps_.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto end = steps_.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+    steps_.erase(
+        std::unique(begin, end, [](const Step& a, const Step& b) { return a.limit == b.limit; }),
+        end);
+  }
+
+  /// True where everything at least √square away between two coordinates is hidden.
+  bool hidden(double from, double to, double square) const {
+    from = std::max(from - slack, 0.0);
+    to = std::min(to + slack, 1.0);
+    const double limit = square / rounding_up;
+    for (std::size_t i = step_at(from); i < steps_.size() && steps_[i].begin <= to; ++i) {
+      if (!(steps_[i].limit < limit)) return false;
+    }
+    return true;
+  }
+
+ private:
+  struct Step {
+    double begin = 0.0, limit = 0.0;
+  };
+  /// More than the rounding of coordinates; and of the squares of distances.
+  static constexpr double slack = 0x1p-22;
+  static constexpr double rounding_up = 1.0 + 0x1p-40;
+
+  /// The last step that begins at or before t.
+  std::size_t step_at(double t) const {
+    const auto after = std::upper_bound(steps_.begin(), steps_.end(), t,
+                                        [](double x, const Step& s) { return x < s.begin; });
+    return after == steps_.begin() ? 0 : static_cast<std::size_t>(after - steps_.begin()) - 1;
+  }
+  void insert(std::size_t i, const Step& step) {
+    steps_.insert(steps_.begin() + static_cast<std::ptrdiff_t>(i), step);
+  }
+
+  Point a_{}, b_{};
+  std::vector<Step> steps_;
+  bool usable_ = false;
+};
+
+/// What waits at a label: a box of corners to look into, or a leg to a corner.
+struct Entry {
+  double least = 0.0;      ///< no path this way is shorter
+  double near = 0.0;       ///< how far away: what is nearer may hide what is further
+  std::uint32_t node = 0;  ///< of a corner tree
+  std::uint8_t kind = 0;   ///< 0 box, 1 box of extra corners, 2 leg turning right, 3 left
+
+  friend bool operator>(const Entry& a, const Entry& b) {
+    if (a.least != b.least) return a.least > b.least;
+    if (a.near != b.near) return a.near > b.near;
+    return std::tie(a.kind, a.node) > std::tie(b.kind, b.node);
+  }
 };
 
 /// A way to a corner (or the start), and the wedge of directions in which it may go on tautly.
@@ -54,20 +155,20 @@ struct Label {
   double length = 0.0;
   std::uint32_t parent = nothing;
   std::uint32_t corner = nothing;
-  std::uint32_t shadows = nothing;
-  int side = 0;  ///< of turning: 1 left, -1 right, 0 at the start: every direction
+  int side = 0;      ///< of turning: 1 left, -1 right, 0 at the start
+  int quadrant = 0;  ///< at the start: of the directions, anticlockwise from +x
+  View view{};
+  std::array<std::uint32_t, 8> seen_chains{};  ///< whose shadows are cast, most recently
+  std::vector<Entry> waiting{};                ///< a heap
 };
 
-/// What waits in the queue: a box of corners to look into, or a leg to a corner.
-struct Entry {
-  double least = 0.0;  ///< no path this way is shorter
+/// A label by the least that waits there.
+struct Turn {
+  double least = 0.0;
   std::uint32_t label = 0;
-  std::uint32_t node = 0;  ///< of a corner tree
-  std::uint8_t kind = 0;   ///< 0 box, 1 box of extra corners, 2 leg turning right, 3 left
 
-  friend bool operator>(const Entry& a, const Entry& b) {
-    if (a.least != b.least) return a.least > b.least;
-    return std::tie(a.label, a.kind, a.node) > std::tie(b.label, b.kind, b.node);
+  friend bool operator>(const Turn& a, const Turn& b) {
+    return a.least != b.least ? a.least > b.least : a.label > b.label;
   }
 };
 
@@ -100,28 +201,37 @@ class Search {
     for (const double x : {start.x, start.y, goal.x, goal.y}) {
       reach_ = std::max(reach_, std::fabs(x));
     }
-    Label label;
-    label.at = start;
-    add(label);
+    for (int quadrant = 0; quadrant < 4 && !found_; ++quadrant) {
+      Label label;
+      label.at = start;
+      label.quadrant = quadrant;
+      add(std::move(label));
+    }
   }
 
   enum class State { found, exhausted, going_on };
 
   /// Goes on until the goal is reached, nothing is left, or so many corners are expanded.
   State run(std::size_t most_expanded) {
-    if (found_) return State::found;
-    while (!queue_.empty()) {
+    while (!found_ && !turns_.empty()) {
       if (labels_.size() > most_expanded) return State::going_on;
-      const Entry entry = queue_.top();
-      queue_.pop();
-      if (entry.kind < 2) {
-        open_box(entry);
-      } else {
-        try_leg(entry);
+      const std::uint32_t number = turns_.top().label;
+      turns_.pop();
+      do {
+        const Entry entry = take(labels_[number]);
+        if (entry.kind < 2) {
+          open_box(number, entry);
+        } else {
+          try_leg(number, entry);
+        }
+        if (found_) return State::found;
+      } while (!labels_[number].waiting.empty() &&
+               (turns_.empty() || labels_[number].waiting.front().least <= turns_.top().least));
+      if (!labels_[number].waiting.empty()) {
+        turns_.push({labels_[number].waiting.front().least, number});
       }
-      if (found_) return State::found;
     }
-    return State::exhausted;
+    return found_ ? State::found : State::exhausted;
   }
 
   Polyline result() const {
@@ -156,30 +266,60 @@ class Search {
     return label.corner == nothing ? nothing : corner(label.corner).vertex;
   }
 
-  /// The half-plane of points p to the given side of the line a → b, `slack` roundings wider
-  /// (or narrower).
-  HalfPlane half_plane(const Point& a, const Point& b, int side, double slack) const {
-    const double x = -side * (b.y - a.y), y = side * (b.x - a.x);
-    const double margin = half_plane_margin * reach_ * (std::fabs(x) + std::fabs(y));
-    return {x, y, x * a.x + y * a.y - slack * margin};
+  static void put(Label& label, const Entry& entry) {
+    label.waiting.push_back(entry);
+    std::push_heap(label.waiting.begin(), label.waiting.end(), std::greater<>());
+  }
+  static Entry take(Label& label) {
+    std::pop_heap(label.waiting.begin(), label.waiting.end(), std::greater<>());
+    const Entry entry = label.waiting.back();
+    label.waiting.pop_back();
+    return entry;
   }
 
   // ---- labels --------------------------------------------------------------------------------
 
+  /// The half-plane to the left of a direction at a point, a few roundings wider.
+  HalfPlane left_of(const Point& at, const Point& direction) const {
+    const double x = -direction.y, y = direction.x;
+    const double margin = half_plane_margin * reach_ * (std::fabs(x) + std::fabs(y));
+    return {x, y, x * at.x + y * at.y - margin};
+  }
+
+  void set_wedge(Label& label) const {
+    Point a, b;  // anticlockwise from a to b
+    if (label.side == 0) {
+      constexpr std::array<Point, 5> axes{
+          {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {1.0, 0.0}}};
+      a = axes[static_cast<std::size_t>(label.quadrant)];
+      b = axes[static_cast<std::size_t>(label.quadrant) + 1];
+    } else {
+      const auto unit = [](const Point& p, const Point& q) {
+        return (1.0 / length_of(q - p)) * (q - p);
+      };
+      a = unit(label.from, label.at);
+      b = unit(label.limit_a, label.limit_b);
+      if (label.side < 0) std::swap(a, b);
+    }
+    label.first = left_of(label.at, a);
+    label.second = left_of(label.at, -b);
+    label.view = View(a, b);
+    label.seen_chains.fill(nothing);
+  }
+
   void add(Label label) {
-    if (label.side != 0) {
-      label.first = half_plane(label.from, label.at, label.side, 1.0);
-      label.second = half_plane(label.limit_a, label.limit_b, -label.side, 1.0);
-    }
     const auto number = static_cast<std::uint32_t>(labels_.size());
-    labels_.push_back(label);
+    set_wedge(label);
+    labels_.push_back(std::move(label));
     if (reaches_goal(number)) return;
-    const double least = label.length + length_of(goal_ - label.at);
+    Label& added = labels_.back();
+    const double least = added.length + length_of(goal_ - added.at);
     const BoxTree& tree = index_.pieces().corner_tree;
-    if (!tree.empty()) queue_.push({least, number, tree.root(), 0});
+    if (!tree.empty()) put(added, {least, 0.0, tree.root(), 0});
     if (patch_ != nullptr && !patch_->extra.corner_tree.empty()) {
-      queue_.push({least, number, patch_->extra.corner_tree.root(), 1});
+      put(added, {least, 0.0, patch_->extra.corner_tree.root(), 1});
     }
+    if (!added.waiting.empty()) turns_.push({least, number});
   }
 
   /// The way straight to the goal: no way from this label, and from no other that waits, is
@@ -194,31 +334,39 @@ class Search {
   }
 
   static bool in_wedge(const Label& label, const Point& p) {
-    if (label.side == 0) return true;
+    if (label.side == 0) {
+      switch (label.quadrant) {
+        case 0:
+          return p.x > label.at.x && p.y >= label.at.y;
+        case 1:
+          return p.x <= label.at.x && p.y > label.at.y;
+        case 2:
+          return p.x < label.at.x && p.y <= label.at.y;
+        default:
+          return p.x >= label.at.x && p.y < label.at.y;
+      }
+    }
     return label.side * orientation(label.from, label.at, p) > 0 &&
            label.side * orientation(label.limit_a, label.limit_b, p) <= 0;
   }
 
   // ---- boxes ---------------------------------------------------------------------------------
 
-  void open_box(const Entry& entry) {
+  void open_box(std::uint32_t number, const Entry& entry) {
     const bool extra = entry.kind == 1;
     const BoxTree& tree = extra ? patch_->extra.corner_tree : index_.pieces().corner_tree;
+    Label& label = labels_[number];
+    if (is_hidden(label, tree.box(entry.node))) return;
     const auto look_at = [&](std::uint32_t child) {
       if (tree.is_item(child)) {
-        consider(entry.label, extra ? base_corners_ + child : child);
+        consider(label, extra ? base_corners_ + child : child);
         return;
       }
-      const Label& label = labels_[entry.label];
       const Box& box = tree.box(child);
-      if (label.side != 0 && (label.first.most_in(box) < label.first.least ||
-                              label.second.most_in(box) < label.second.least)) {
-        return;
-      }
-      if (is_hidden(label, box)) return;
-      const double least =
-          std::max(entry.least, label.length + distance(box, label.at) + distance(box, goal_));
-      queue_.push({least, entry.label, child, entry.kind});
+      if (!label.first.meets(box) || !label.second.meets(box) || is_hidden(label, box)) return;
+      const double near = distance(box, label.at);
+      const double least = std::max(entry.least, label.length + near + distance(box, goal_));
+      put(label, {least, near, child, entry.kind});
     };
     if (tree.is_item(entry.node)) return look_at(entry.node);
     const BoxTree::Children range = tree.children(entry.node);
@@ -234,15 +382,11 @@ class Search {
   // ---- legs ----------------------------------------------------------------------------------
 
   /// Queues the leg to a corner if it leaves within the wedge and arrives tangentially.
-  void consider(std::uint32_t number, std::uint32_t target) {
-    const Label& label = labels_[number];
+  void consider(Label& label, std::uint32_t target) {
     const Corner& c = corner(target);
-    if (c.at == label.at) return;
-    if (label.side != 0 &&
-        (label.first.x * c.at.x + label.first.y * c.at.y < label.first.least ||
-         label.second.x * c.at.x + label.second.y * c.at.y < label.second.least)) {
-      return;
-    }
+    if (c.at == label.at || !label.first.holds(c.at) || !label.second.holds(c.at)) return;
+    if (is_hidden(label, c.at)) return;
+    if (target < base_corners_) cast_shadow(label, c.vertex);
     const int after = orientation(label.at, c.at, c.after);
     const int before = orientation(label.at, c.at, c.before);
     const int side = after > 0 && before >= 0 ? 1 : before < 0 && after <= 0 ? -1 : 0;
@@ -252,13 +396,10 @@ class Search {
         (forbidden_.corner(c.vertex, side) || forbidden_.leg(vertex_of(label), c.vertex))) {
       return;
     }
-    const double length = label.length + length_of(c.at - label.at);
+    const double near = length_of(c.at - label.at), length = label.length + near;
     if (is_settled(target, side, length, label.at)) return;
-    Box box;
-    box.include(c.at);
-    if (is_hidden(label, box)) return;
-    queue_.push({length + length_of(goal_ - c.at), number, target,
-                 static_cast<std::uint8_t>(side > 0 ? 3 : 2)});
+    put(label, {length + length_of(goal_ - c.at), near, target,
+                static_cast<std::uint8_t>(side > 0 ? 3 : 2)});
   }
 
   /// True where what is reached already makes this way to a corner useless.
@@ -275,18 +416,18 @@ class Search {
     return other != nothing && length > (1.0 + equal_lengths) * labels_[other].length;
   }
 
-  void try_leg(const Entry& entry) {
+  void try_leg(std::uint32_t number, const Entry& entry) {
     const int side = entry.kind == 3 ? 1 : -1;
     const Corner& c = corner(entry.node);
-    const Point from = labels_[entry.label].at;
-    const double length = labels_[entry.label].length + length_of(c.at - from);
+    const Point from = labels_[number].at;
+    const double length = labels_[number].length + length_of(c.at - from);
     if (is_settled(entry.node, side, length, from)) return;
-    if (!visible(entry.label, c.at)) return;
+    if (!visible(number, c.at)) return;
     Label label;
     label.at = c.at;
     label.from = from;
     label.length = length;
-    label.parent = entry.label;
+    label.parent = number;
     label.corner = entry.node;
     label.side = side;
     std::uint32_t& reached = reached_[2 * entry.node + (side > 0 ? 1 : 0)];
@@ -298,16 +439,14 @@ class Search {
       label.limit_b = c.at;
     }
     reached = static_cast<std::uint32_t>(labels_.size());
-    add(label);
+    add(std::move(label));
   }
 
   // ---- visibility ----------------------------------------------------------------------------
 
   bool visible(std::uint32_t number, const Point& target) {
     Label& label = labels_[number];
-    Box box;
-    box.include(target);
-    if (is_hidden(label, box)) return false;
+    if (is_hidden(label, target)) return false;
     ++tests_;
     const auto obstruction = index_.obstruction(label.at, target, patch_);
     if (!obstruction) return true;
@@ -317,71 +456,66 @@ class Search {
     return false;
   }
 
-  bool is_hidden(const Label& label, const Box& box) const {
-    for (std::uint32_t s = label.shadows; s != nothing; s = shadows_[s].next) {
-      const auto& sides = shadows_[s].sides;
-      if (sides[0].least_in(box) > sides[0].least && sides[1].least_in(box) > sides[1].least &&
-          sides[2].least_in(box) > sides[2].least) {
-        return true;
-      }
-    }
-    return false;
+  static bool is_hidden(const Label& label, const Point& p) {
+    if (!label.view.usable()) return false;
+    const Point v = p - label.at;
+    const auto t = label.view.coordinate(v);
+    return t && label.view.hidden(*t, *t, square_of(v));
   }
 
-  /// The outer line of the solid about an edge hides what lies behind all of it, between its
-  /// outermost directions.
-  void cast_shadow(Label& label, std::uint32_t edge) {
-    const Point v = label.at;
-    const auto cross = [&](const Point& p, const Point& q) {
-      return (p.x - v.x) * (q.y - v.y) - (p.y - v.y) * (q.x - v.x);
-    };
-    chain_.clear();
-    Point right = index_.outer_begin(edge), left = index_.outer_end(edge);
-    if (patch_ != nullptr && patch_->replaces_edge(edge)) return;
-    if (cross(right, left) < 0.0) std::swap(left, right);
-    if (!(cross(right, left) > 0.0)) return;
-    chain_.push_back(left);
-    chain_.push_back(right);
+  static bool is_hidden(const Label& label, const Box& box) {
+    if (!label.view.usable()) return false;
+    double from = std::numeric_limits<double>::infinity(), to = -from;
+    for (const Point& corner : {Point{box.x0, box.y0}, Point{box.x1, box.y0}, Point{box.x0, box.y1},
+                                Point{box.x1, box.y1}}) {
+      const auto t = label.view.coordinate(corner - label.at);
+      if (!t) return false;
+      from = std::min(from, *t);
+      to = std::max(to, *t);
+    }
+    const double near = distance(box, label.at);
+    return label.view.hidden(from, to, near * near);
+  }
+
+  /// The outer line of the solid about a vertex hides what lies behind all of it. It is followed
+  /// while it stays in front; where it is broken (the ends of square strips) it ends.
+  void cast_shadow(Label& label, std::uint32_t vertex) {
+    if (!label.view.usable()) return;
+    constexpr std::uint32_t chain_size = 4;
+    const std::uint32_t chain = vertex / chain_size;
+    std::uint32_t& slot = label.seen_chains[chain % label.seen_chains.size()];
+    if (slot == chain) return;
+    slot = chain;
+    double from = std::numeric_limits<double>::infinity(), to = -from, far = 0.0;
     const auto extend = [&](const Point& p) {
-      const double to_right = cross(right, p), to_left = cross(left, p);
-      if (to_left > 0.0) {
-        if (!(to_right > 0.0)) return false;
-        left = p;
-      } else if (to_right < 0.0) {
-        right = p;
-      }
-      chain_.push_back(p);
+      const Point v = p - label.at;
+      const auto t = label.view.coordinate(v);
+      if (!t) return false;
+      from = std::min(from, *t);
+      to = std::max(to, *t);
+      far = std::max(far, square_of(v));
       return true;
     };
     const auto usable = [&](std::uint32_t e) {
       return patch_ == nullptr || !patch_->replaces_edge(e);
     };
-    std::uint32_t e = edge;
-    for (int i = 0; i < occluding_edges; ++i) {
-      const Point end = index_.outer_end(e);
+    if (!usable(vertex) || !extend(index_.outer_begin(vertex))) return;
+    std::uint32_t e = vertex;
+    for (int i = 0; i < occluding_edges && usable(e) && extend(index_.outer_end(e)); ++i) {
+      const Point& end = index_.outer_end(e);
       e = index_.next(e);
-      if (e == edge || !usable(e) || index_.outer_begin(e) != end) break;
-      if (!extend(index_.outer_end(e))) break;
+      if (e == vertex || index_.outer_begin(e) != end) break;
     }
-    e = edge;
+    e = vertex;
     for (int i = 0; i < occluding_edges; ++i) {
-      const Point begin = index_.outer_begin(e);
+      const Point& begin = index_.outer_begin(e);
       e = index_.previous(e);
-      if (e == edge || !usable(e) || index_.outer_end(e) != begin) break;
-      if (!extend(index_.outer_begin(e))) break;
+      if (e == vertex || !usable(e) || index_.outer_end(e) != begin ||
+          !extend(index_.outer_begin(e))) {
+        break;
+      }
     }
-    Shadow shadow;
-    shadow.sides[0] = half_plane(v, right, 1, -1.0);
-    shadow.sides[1] = half_plane(v, left, -1, -1.0);
-    shadow.sides[2] = half_plane(left, right, 1, -1.0);
-    HalfPlane& behind = shadow.sides[2];
-    const double margin = half_plane_margin * reach_ * (std::fabs(behind.x) + std::fabs(behind.y));
-    for (const Point& p : chain_) {
-      behind.least = std::max(behind.least, behind.x * p.x + behind.y * p.y + margin);
-    }
-    shadow.next = label.shadows;
-    label.shadows = static_cast<std::uint32_t>(shadows_.size());
-    shadows_.push_back(shadow);
+    label.view.hide(from, to, far);
   }
 
   const MitredIndex& index_;
@@ -392,9 +526,7 @@ class Search {
   double reach_ = 0.0;
   std::vector<std::uint32_t> reached_;  // label of each corner and side
   std::vector<Label> labels_;
-  std::vector<Shadow> shadows_;
-  std::vector<Point> chain_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns_;
   std::size_t tests_ = 0;
   bool found_ = false;
   std::uint32_t last_ = nothing;

@@ -157,13 +157,18 @@ Result<World> World::create(std::vector<Polygon> obstacles, std::optional<Ring> 
     const Polygon& polygon = world.obstacles_[k];
     std::vector<const Ring*> rings{&polygon.outer};
     for (const Ring& hole : polygon.holes) rings.push_back(&hole);
-    if (auto fault = planning_detail::ring_conflict(rings, world, static_cast<std::uint32_t>(k))) {
+    if (auto fault = planning_detail::ring_conflict(rings, world, static_cast<std::uint32_t>(k),
+                                                    world.contacts_)) {
       return *fault;
     }
   }
   if (world.bounds_) {
-    const std::vector<const Ring*> rings{&*world.bounds_};
-    if (auto fault = planning_detail::ring_conflict(rings, world, bounds_number)) return *fault;
+    Ring clockwise = *world.bounds_;
+    std::reverse(clockwise.begin() + 1, clockwise.end());
+    const std::vector<const Ring*> rings{&clockwise};
+    if (auto fault = planning_detail::ring_conflict(rings, world, bounds_number, world.contacts_)) {
+      return *fault;
+    }
   }
   for (const Polygon& polygon : world.obstacles_) {
     include(world.box_, polygon.outer);

@@ -49,6 +49,16 @@ struct WorldRepair {
   friend bool operator==(const WorldRepair&, const WorldRepair&) = default;
 };
 
+/// A vertex that lies on an edge of its own polygon (or bounds), or on a vertex of it.
+struct RingContact {
+  WorldVertex vertex{};
+  /// Where the edge starts that has the solid to its left; the vertex may be at that point, but not
+  /// at the other end.
+  WorldVertex edge{};
+
+  friend bool operator==(const RingContact&, const RingContact&) = default;
+};
+
 /// The repair in words: "obstacle 3 ('shed'), outer ring: point 4 repeats the one before it".
 std::string to_text(const WorldRepair& repair);
 
@@ -76,6 +86,9 @@ class World {
   /// What was mended, in the order of the data.
   const std::vector<WorldRepair>& repairs() const { return repairs_; }
 
+  /// Where rings touch themselves or others of their polygon.
+  const std::vector<RingContact>& contacts() const { return contacts_; }
+
   /// All vertices of obstacles and bounds.
   std::size_t vertex_count() const { return vertex_count_; }
   /// The box about obstacles and bounds; absent where there are none.
@@ -96,6 +109,7 @@ class World {
   std::vector<Polygon> obstacles_;
   std::optional<Ring> bounds_;
   std::vector<WorldRepair> repairs_;
+  std::vector<RingContact> contacts_;
   std::optional<PlanarBox> box_;
   std::size_t vertex_count_ = 0;
 };
