@@ -11,6 +11,12 @@ namespace {
 /// The limits of offsets are refined to about this relative width, 2^-40: what people read off.
 constexpr double shown_width = 0x1p-40;
 
+[[noreturn]] void refuse_space() {
+  throw Error(Fault{FaultCode::unsupported,
+                    "the path is in space; only a path in the plane has offsets", std::nullopt,
+                    "dimension", 3.0, 2.0});
+}
+
 /// Calls `function` with the planar path that is held. Throws Error (unsupported) for another.
 template <class Function>
 auto with_planar(const AnyPath& path, const Function& function) {
@@ -20,9 +26,7 @@ auto with_planar(const AnyPath& path, const Function& function) {
     if constexpr (P::Point::dimension == 2) {
       return function(p);
     } else {
-      throw Error(Fault{FaultCode::unsupported,
-                        "the path is in space; only a path in the plane has offsets", std::nullopt,
-                        "dimension", 3.0, 2.0});
+      refuse_space();
     }
   });
 }

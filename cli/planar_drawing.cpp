@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <type_traits>
 #include <utility>
@@ -53,9 +54,9 @@ struct Role {
 };
 
 /// Calls visit(sample, role) along the path: every segment from its begin to its end, and at `more`
-/// parameters, which ascend.
-template <class Visit>
-void for_each_sample(const AnyPath& path, const std::vector<double>& more, const Visit& visit) {
+/// parameters, which ascend. (A std::function, so that it is compiled once for every kind of path.)
+void for_each_sample(const AnyPath& path, const std::vector<double>& more,
+                     const std::function<void(const Sample&, Role)>& visit) {
   path.visit([&](const auto& p) {
     using P = std::remove_cvref_t<decltype(p)>;
     if constexpr (P::Point::dimension == 2) {

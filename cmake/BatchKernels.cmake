@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 # Compiles the batch kernels (src/*/kernels/*_<instruction set>.cpp) once for every instruction set; the
-# program chooses at run time (src/path/kernel_dispatch.cpp). No flag reaches any other file.
+# program chooses at run time (src/path/kernel_dispatch.cpp). No flag reaches any other file. Every
+# instruction set compiles the same templates, so one of them is enough where the sanitizers look
+# (HODOGRAPH_WIDE_KERNELS=OFF), and there the optimiser would only take time.
 
 set(kernel_options
-    "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-O3;-fno-math-errno;-fno-trapping-math;-Wno-psabi>")
+    "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-fno-math-errno;-fno-trapping-math;-Wno-psabi>"
+    "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<NOT:$<CONFIG:Debug,Sanitize>>>:-O3>")
 
 # The kernels of one instruction set, with the flags that name it.
 function(hodograph_kernels instruction_set)
@@ -14,7 +17,8 @@ function(hodograph_kernels instruction_set)
 endfunction()
 
 hodograph_kernels(baseline)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 8
+if(HODOGRAPH_WIDE_KERNELS AND CMAKE_SIZEOF_VOID_P EQUAL 8
+   AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$"
    AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   hodograph_kernels(avx2 -mavx2)
   hodograph_kernels(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)

@@ -65,3 +65,9 @@ function(hodograph_warnings target)
     set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ON)
   endif()
 endfunction()
+
+# Options for what takes long to compile and little time to run, in the presets that test: such
+# targets gain nothing from the optimiser. (In the configuration Develop every warning still works.)
+set(hodograph_quick_to_compile
+  "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Develop>>:-O1>"
+  "$<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<CONFIG:Sanitize>>:-O0>")

@@ -23,6 +23,7 @@ option(HODOGRAPH_BUILD_TESTS "Build the tests (needs GoogleTest and Boost)" OFF)
 option(HODOGRAPH_TEST_CONSUMERS "Test the package from projects outside the tree" ON)
 option(HODOGRAPH_BUILD_BENCHMARKS "Offer the targets of bench/, examples/ and tools/"
        ${PROJECT_IS_TOP_LEVEL})
+option(HODOGRAPH_WIDE_KERNELS "Compile batch kernels for AVX2 and AVX-512 as well" ON)
 option(HODOGRAPH_INSTALL "Write install rules" ${PROJECT_IS_TOP_LEVEL})
 option(HODOGRAPH_WARNINGS_AS_ERRORS "Treat the warnings of our own sources as errors" OFF)
 
