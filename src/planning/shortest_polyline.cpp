@@ -478,7 +478,8 @@ class Search {
   }
 
   /// The outer line of the solid about a vertex hides what lies behind all of it. It is followed
-  /// while it stays in front; where it is broken (the ends of square strips) it ends.
+  /// while it stays in front, and ends where it is broken (at square ends of strips) and where the
+  /// polygon touches itself, since one may pass through such a point.
   void cast_shadow(Label& label, std::uint32_t vertex) {
     if (!label.view.usable()) return;
     constexpr std::uint32_t chain_size = 4;
@@ -502,18 +503,22 @@ class Search {
     if (!usable(vertex) || !extend(index_.outer_begin(vertex))) return;
     std::uint32_t e = vertex;
     for (int i = 0; i < occluding_edges && usable(e) && extend(index_.outer_end(e)); ++i) {
-      const Point& end = index_.outer_end(e);
-      e = index_.next(e);
-      if (e == vertex || index_.outer_begin(e) != end) break;
+      const std::uint32_t next = index_.next(e);
+      if (next == vertex || index_.solid_before(next) != e ||
+          index_.outer_begin(next) != index_.outer_end(e)) {
+        break;
+      }
+      e = next;
     }
     e = vertex;
     for (int i = 0; i < occluding_edges; ++i) {
-      const Point& begin = index_.outer_begin(e);
-      e = index_.previous(e);
-      if (e == vertex || !usable(e) || index_.outer_end(e) != begin ||
-          !extend(index_.outer_begin(e))) {
+      const std::uint32_t before = index_.previous(e);
+      if (before == vertex || !usable(before) || index_.solid_before(e) != before ||
+          index_.outer_end(before) != index_.outer_begin(e) ||
+          !extend(index_.outer_begin(before))) {
         break;
       }
+      e = before;
     }
     label.view.hide(from, to, far);
   }
