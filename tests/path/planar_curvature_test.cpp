@@ -228,6 +228,38 @@ TEST(PlanarCurvature, QuickBoundsHoldNearCuspsSymmetryAndLines) {
   }
 }
 
+TEST(PlanarCurvature, LinesAndRoundedCornersSettleQuickly) {
+  Random random("planar curvature: corners");
+  for (int i = 0; i < 200; ++i) {
+    const auto v = random.complex(1.0);
+    EXPECT_TRUE(judge(Quintic::Preimage({v, v, v}), 1.0));
+    // Straight at both ends, the peak half-way.
+    EXPECT_TRUE(judge(Quintic::Preimage({v, {}, random.complex(1.0)}), 1.0));
+  }
+}
+
+TEST(PlanarCurvature, SegmentsThatDoNotSettleAreSubdividedAlone) {
+  Random random("planar curvature: mixed paths");
+  for (int i = 0; i < 50; ++i) {
+    std::vector<double> knots{0.0};
+    std::vector<Quintic> curves;
+    Vector2<double> start{};
+    // Sizes beyond 2^100 are left to the subdivision; whether they hold the extremes or not.
+    for (const double scale : {1.0, 0x1p60, i % 2 == 0 ? 0x1p-60 : 1.0}) {
+      const auto w = scale * test::tame_preimage<Complex<double>, 2>(random);
+      knots.push_back(knots.back() + 1.0);
+      curves.emplace_back(start, w, 1.0);
+      start = curves.back().end();
+    }
+    const auto path = PlanarPath<2>::create(std::move(knots), std::move(curves), false).value();
+    for (const RangeGoal& wanted : {goal, fine}) {
+      const Extremes found = curvature_extremes(path, wanted);
+      expect_same(found, by_subdivision(path, wanted));
+      EXPECT_TRUE(path_detail::reaches(found, wanted));
+    }
+  }
+}
+
 TEST(PlanarCurvature, HoldsOnHostilePreimages) {
   Random random("planar curvature: hostile preimages");
   for (int i = 0; i < 300; ++i) {

@@ -51,11 +51,10 @@ Enclosure arc_length_enclosure(const Path<A, n>& path) {
 
 namespace path_detail {
 
-/// The extremes over all segments of the quotient that `make` builds from parts of them.
+/// The extremes over parts of segments of the quotient that `make` builds from them.
 template <class A, std::size_t n, class Make>
-Extremes extremes_over_parts(const Path<A, n>& path, RangeMeasure measure, const RangeGoal& goal,
-                             const Make& make) {
-  const std::vector<SegmentPart> parts = evenly_fast_parts(path);
+Extremes extremes_over_parts(const Path<A, n>& path, const std::vector<SegmentPart>& parts,
+                             RangeMeasure measure, const RangeGoal& goal, const Make& make) {
   return extremes(
       parts.size(),
       [&](std::size_t i) {
@@ -63,6 +62,12 @@ Extremes extremes_over_parts(const Path<A, n>& path, RangeMeasure measure, const
         return make(exact.restricted(parts[i].a, parts[i].b));
       },
       measure, goal);
+}
+/// The same over all segments.
+template <class A, std::size_t n, class Make>
+Extremes extremes_over_parts(const Path<A, n>& path, RangeMeasure measure, const RangeGoal& goal,
+                             const Make& make) {
+  return extremes_over_parts(path, evenly_fast_parts(path), measure, goal, make);
 }
 
 /// 2 vec(A* A')/(h σ^power), ' = d/du, as a quotient of vectors: `pick` takes the components
@@ -140,17 +145,27 @@ inline bool reaches(const Extremes& found, const RangeGoal& goal) {
   return true;
 }
 
-/// The quick extremes of all segments of a planar path together, where all of them settle.
+/// The extremes of the curvature of a planar path: quickly on the segments where that settles, by
+/// subdivision on the others; nothing where that does not reach the goal.
 template <std::size_t n>
-std::optional<Extremes> quick_curvature_extremes(
-    std::span<const PhCurve<Complex<double>, n>> curves) {
+std::optional<Extremes> quick_curvature_extremes(const PlanarPath<n>& path, const RangeGoal& goal) {
   std::optional<Extremes> all;
+  const auto include = [&all](const Extremes& found) { all = all ? joined(*all, found) : found; };
   if constexpr (n > 0) {
-    for (const auto& curve : curves) {
-      const auto found = QuickCurvature<n>(curve).extremes();
-      if (!found) return std::nullopt;
-      all = all ? joined(*all, *found) : found;
+    std::vector<SegmentPart> open;
+    for (std::size_t k = 0; k < path.segment_count(); ++k) {
+      if (const auto found = QuickCurvature<n>(path.segment(k)).extremes()) {
+        include(*found);
+      } else {
+        add_evenly_fast_parts(path, k, open);
+      }
     }
+    if (!all) return std::nullopt;
+    if (!open.empty()) {
+      include(extremes_over_parts(path, open, RangeMeasure::value, goal,
+                                  [](const auto& exact) { return turning_quotient(exact); }));
+    }
+    if (!reaches(*all, goal)) return std::nullopt;
   }
   return all;
 }
@@ -163,15 +178,14 @@ std::optional<Extremes> quick_curvature_extremes(
 ///
 /// Method: in the plane, the isolated roots of f = σ h' - 2 h σ' (h = κσ²; "Path planning with
 /// Pythagorean-hodograph curves for unmanned or autonomous vehicles", section 6) in double
-/// precision with known bounds of the rounding; where that does not settle or does not reach the
-/// goal, and in space, best-first subdivision.
+/// precision with known bounds of the rounding; on segments where that does not settle, where it
+/// does not reach the goal, and in space, best-first subdivision.
 template <class A, std::size_t n>
   requires std::same_as<typename A::Scalar, double>
 Extremes curvature_extremes(const Path<A, n>& path, const RangeGoal& goal) {
   constexpr bool planar = A::dimension == 2;
   if constexpr (planar) {
-    const auto found = path_detail::quick_curvature_extremes<n>(path.segments());
-    if (found && path_detail::reaches(*found, goal)) return *found;
+    if (const auto found = path_detail::quick_curvature_extremes(path, goal)) return *found;
   }
   return path_detail::extremes_over_parts(
       path, planar ? RangeMeasure::value : RangeMeasure::norm, goal, [](const auto& exact) {

@@ -128,32 +128,35 @@ struct SegmentPart {
 /// it comes close to zero, squares and quotients formed from the part's own preimage keep digits
 /// that those of the whole segment lose. Next to a zero the division ends at a depth.
 template <class PathType>
-std::vector<SegmentPart> evenly_fast_parts(const PathType& path) {
+void add_evenly_fast_parts(const PathType& path, std::size_t k, std::vector<SegmentPart>& parts) {
   constexpr double most_variation = 256.0;  // in σ: 16 bits of σ²
   constexpr double least_part = 0x1.0p-24;  // a zero of A: |A| there is 2^-24 of its size, σ² 2^-96
-  std::vector<SegmentPart> parts;
-  std::vector<SegmentPart> open;
-  for (std::size_t k = 0; k < path.segment_count(); ++k) {
-    const EnclosedCurve exact(path.segment(k));
-    open.push_back({k, 0.0, 1.0});
-    while (!open.empty()) {
-      const SegmentPart part = open.back();
-      open.pop_back();
-      const auto speed = exact.restricted(part.a, part.b).speed();
-      double least = speed[0].lower(), most = 0.0;
-      for (const Enclosure& c : speed.coefficients()) {
-        least = std::min(least, c.lower());
-        most = std::max(most, c.upper());
-      }
-      if (most <= most_variation * least || part.b - part.a <= least_part) {
-        parts.push_back(part);
-      } else {
-        const double middle = 0.5 * (part.a + part.b);
-        open.push_back({k, middle, part.b});
-        open.push_back({k, part.a, middle});
-      }
+  const EnclosedCurve exact(path.segment(k));
+  std::vector<SegmentPart> open{{k, 0.0, 1.0}};
+  while (!open.empty()) {
+    const SegmentPart part = open.back();
+    open.pop_back();
+    const auto speed = exact.restricted(part.a, part.b).speed();
+    double least = speed[0].lower(), most = 0.0;
+    for (const Enclosure& c : speed.coefficients()) {
+      least = std::min(least, c.lower());
+      most = std::max(most, c.upper());
+    }
+    if (most <= most_variation * least || part.b - part.a <= least_part) {
+      parts.push_back(part);
+    } else {
+      const double middle = 0.5 * (part.a + part.b);
+      open.push_back({k, middle, part.b});
+      open.push_back({k, part.a, middle});
     }
   }
+}
+
+/// Those of all segments.
+template <class PathType>
+std::vector<SegmentPart> evenly_fast_parts(const PathType& path) {
+  std::vector<SegmentPart> parts;
+  for (std::size_t k = 0; k < path.segment_count(); ++k) add_evenly_fast_parts(path, k, parts);
   return parts;
 }
 

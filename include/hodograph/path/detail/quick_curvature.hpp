@@ -84,6 +84,10 @@ class QuickCurvature {
   /// The extremes of κ: exact up to a few thousand roundings, or nothing.
   std::optional<Extremes> extremes() const {
     if (!in_range_) return std::nullopt;
+    const auto& w = preimage_.coefficients();
+    if (std::all_of(w.begin(), w.end(), [&](const auto& c) { return c == w[0]; })) {
+      return Extremes{Enclosure(0.0), Enclosure(0.0)};  // a straight line at constant speed
+    }
     Found found;
     const bool ends = note_end(found, turning_.front(), speed_.front()) &&
                       note_end(found, turning_.back(), speed_.back());
@@ -223,11 +227,17 @@ class QuickCurvature {
         --count;
         continue;
       }
-      // f is so small that it does not matter: |κ - κ(middle)| ≤ max|f|/σ³ · length/2.
-      if (piece.depth > 2 && size * piece.length <= settled_slope(found, piece) &&
-          note_near(found, piece.a + 0.5 * piece.length, 0.5 * piece.length, size + piece.error)) {
-        --count;
-        continue;
+      if (piece.depth > 2) {
+        // The κ to compare with may be here alone, as in the middle of a corner, straight at its
+        // ends.
+        const double middle = piece.a + 0.5 * piece.length;
+        static_cast<void>(note_near(found, middle, 0.0, 0.0));
+        // f is so small that it does not matter: |κ - κ(middle)| ≤ max|f|/σ³ · length/2.
+        if (size * piece.length <= settled_slope(found, piece) &&
+            note_near(found, middle, 0.5 * piece.length, size + piece.error)) {
+          --count;
+          continue;
+        }
       }
       if (piece.depth == greatest_depth || count == greatest_stack) return false;
       split(piece, stack[count], size);
