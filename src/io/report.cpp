@@ -21,8 +21,9 @@ constexpr std::size_t most_knots_shown = 200;
 
 enum class Rounding { nearest, down, up };
 
-/// What lies this close to a short number, relatively, is that number as computed.
-constexpr double computed_width = 0x1p-40;
+/// What lies this close to a short number, relatively, is that number as computed: bounds of the
+/// curvature are within 2^-40 or so of what they bound.
+constexpr double computed_width = 0x1p-36;
 
 /// A number with so many digits; a bound is never made stronger by rounding it. A bound within
 /// rounding of a short number, as a limit that is just kept, is shown with all its digits:
