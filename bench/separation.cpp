@@ -13,13 +13,16 @@ namespace {
 
 using namespace hodograph;
 
+constexpr double length = 1.6;  // of every path
+
 PlanarPath<2> random_path(bench::Numbers& numbers) {
   const Vector2<double> begin{numbers.within(-0.2, 0.2), numbers.within(-0.2, 0.2)};
   const Vector2<double> end{1.0 + numbers.within(-0.2, 0.2), numbers.within(-0.2, 0.2)};
-  const auto curve = prescribed_length_curve({begin, direction_of_angle(numbers.within(-1, 1))},
-                                             {end, direction_of_angle(numbers.within(-1, 1))}, 1.6)
-                         .value()
-                         .curve;
+  const auto curve =
+      prescribed_length_curve({begin, direction_of_angle(numbers.within(-1, 1))},
+                              {end, direction_of_angle(numbers.within(-1, 1))}, length)
+          .value()
+          .curve;
   return PlanarPath<2>::create({0.0, 1.0}, {curve}, false).value();
 }
 
@@ -89,7 +92,7 @@ int main() {
         },
         static_cast<double>(pairs)},
        {"stepped_separation, 1000 steps (proves 1.6e-3)",
-        [&] { bench::keep(stepped_separation(first[0], second[0], 1.6e-3)); }, 1.0},
+        [&] { bench::keep(stepped_separation(first[0], second[0], length / 1000.0)); }, 1.0},
        {"making a motion of a path and a speed",
         [&] {
           for (std::size_t k = 0; k < pairs; ++k) {
@@ -100,26 +103,26 @@ int main() {
         static_cast<double>(pairs)}},
       11);
   constexpr double accuracy = 1e-7;  // not a tolerance: what the slower ways are asked for
-  bench::compare(
-      "the same to 1e-7 of the length",
-      {{"least_separation",
-        [&] {
-          SeparationGoal goal;
-          goal.relative_width = accuracy;
-          for (std::size_t k = 0; k < 20; ++k) {
-            bench::keep(least_separation(first[k], second[k], goal));
-          }
-        },
-        20.0},
-       {"branch and bound with the Lipschitz bound",
-        [&] {
-          for (std::size_t k = 0; k < 20; ++k) {
-            bench::keep(lipschitz(first[k], second[k], 1.6 * accuracy));
-          }
-        },
-        20.0},
-       {"stepping, by the cost of a step",
-        [&] { bench::keep(stepped_separation(first[0], second[0], 1.6e-5)); }, 1e5 * accuracy}},
-      3);
+  bench::compare("the same to 1e-7 of the length",
+                 {{"least_separation",
+                   [&] {
+                     SeparationGoal goal;
+                     goal.relative_width = accuracy;
+                     for (std::size_t k = 0; k < 20; ++k) {
+                       bench::keep(least_separation(first[k], second[k], goal));
+                     }
+                   },
+                   20.0},
+                  {"branch and bound with the Lipschitz bound",
+                   [&] {
+                     for (std::size_t k = 0; k < 20; ++k) {
+                       bench::keep(lipschitz(first[k], second[k], length * accuracy));
+                     }
+                   },
+                   20.0},
+                  {"stepping, by the cost of a step",
+                   [&] { bench::keep(stepped_separation(first[0], second[0], length / 1e5)); },
+                   1e5 * accuracy}},
+                 3);
   return 0;
 }

@@ -320,9 +320,9 @@ std::size_t TimingLaw::piece_at(double local_time) const {
   return static_cast<std::size_t>(after - pieces_.begin()) - 1;
 }
 
-double TimingLaw::arc_length_within(std::size_t i, double local_time) const {
-  const Piece& piece = pieces_[i];
-  const double most = i + 1 < pieces_.size() ? pieces_[i + 1].arc_length : length_;
+double TimingLaw::arc_length_within(std::size_t index, double local_time) const {
+  const Piece& piece = pieces_[index];
+  const double most = index + 1 < pieces_.size() ? pieces_[index + 1].arc_length : length_;
   const double u = (local_time - piece.begin) / piece.duration;
   if (!(u > 0.0)) return piece.arc_length;
   if (u >= 1.0) return most;
@@ -331,8 +331,8 @@ double TimingLaw::arc_length_within(std::size_t i, double local_time) const {
   return std::min(piece.arc_length + covered, most);
 }
 
-double TimingLaw::acceleration_bound(std::size_t i) const {
-  const Piece& piece = pieces_[i];
+double TimingLaw::acceleration_bound(std::size_t index) const {
+  const Piece& piece = pieces_[index];
   // The difference is exact or rounded once; p and q themselves carry four roundings.
   const double change =
       std::abs(piece.second - piece.first) + 4.0 * ulp * (piece.first + piece.second);

@@ -350,8 +350,7 @@ TEST(Separation, RefusesBadRequests) {
   goal.vertical_scale = std::nan("");
   EXPECT_EQ(least_separation(a, a, goal).fault().code, FaultCode::not_finite);
   EXPECT_EQ(stepped_separation(a, a, 0.0).fault().code, FaultCode::outside_domain);
-  EXPECT_EQ(stepped_separation(a, a, 1e-12).fault().quantity,
-            "step");  // not a tolerance: too small a step
+  EXPECT_EQ(stepped_separation(a, a, 1.0 / 1e12).fault().quantity, "step");
   EXPECT_EQ(close_passages(a, a, 1.0, -1.0).fault().code, FaultCode::outside_domain);
   const auto wrong = TimedMotion::create(line({0.0, 0.0}, {1.0, 0.0}),
                                          TimingLaw::constant_speed(2.0, 1.0).value());

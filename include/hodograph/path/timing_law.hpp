@@ -103,9 +103,9 @@ class TimingLaw {
   /// The piece that holds a time counted from the start, and s there without a check of the domain:
   /// clamped to [0, length()].
   std::size_t piece_at(double local_time) const;
-  double arc_length_within(std::size_t piece, double local_time) const;
+  double arc_length_within(std::size_t index, double local_time) const;
   /// |s''| on a piece, rounded up.
-  double acceleration_bound(std::size_t piece) const;
+  double acceleration_bound(std::size_t index) const;
 
  private:
   TimingLaw() = default;
