@@ -7,7 +7,7 @@
 
 namespace hodograph::io_detail {
 
-enum class MemberKind { text, truth, whole_number, number, object, knots, segments };
+enum class MemberKind { text, truth, whole_number, number, object, knots, segments, rows };
 
 struct Member {
   std::string_view pointer;  // JSON pointer from the root
@@ -60,6 +60,16 @@ inline constexpr std::array document_members = {
     Member{"/promises/largest_speed/lower", MemberKind::number, true},
     Member{"/promises/largest_speed/upper", MemberKind::number, true},
     Member{"/promises/curvature_bound", MemberKind::number, false},
+    Member{"/promises/largest_curvature", MemberKind::object, false},
+    Member{"/promises/largest_curvature/lower", MemberKind::number, true},
+    Member{"/promises/largest_curvature/upper", MemberKind::number, true},
+    Member{"/promises/clearance", MemberKind::object, false},
+    Member{"/promises/clearance/world", MemberKind::text, false},
+    Member{"/promises/clearance/reach", MemberKind::number, true},
+    Member{"/promises/clearance/obstacles", MemberKind::rows, true},
+    Member{"/promises/clearance/bounds", MemberKind::object, false},
+    Member{"/promises/clearance/bounds/lower", MemberKind::number, true},
+    Member{"/promises/clearance/bounds/upper", MemberKind::number, true},
 };
 
 constexpr const Member* find_member(std::string_view pointer) {

@@ -42,6 +42,7 @@ std::string_view name_of(MemberKind kind) {
       return "an object";
     case MemberKind::knots:
     case MemberKind::segments:
+    case MemberKind::rows:
       return "an array";
   }
   return "";
@@ -140,13 +141,15 @@ class EventHandler {
     if (bulk_ == MemberKind::object) {
       const Member* member = current_member();
       if (member == nullptr) return false;
-      if (member->kind != MemberKind::knots && member->kind != MemberKind::segments) {
+      if (member->kind != MemberKind::knots && member->kind != MemberKind::segments &&
+          member->kind != MemberKind::rows) {
         return wrong_type(*member, "an array");
       }
       values_.emplace(pointer(), Value{});
       bulk_ = member->kind;
     } else if (!(bulk_ == MemberKind::segments &&
-                 (levels_.size() == 3 || (levels_.size() == 4 && in_preimage())))) {
+                 (levels_.size() == 3 || (levels_.size() == 4 && in_preimage()))) &&
+               !(bulk_ == MemberKind::rows && levels_.size() == rows_depth)) {
       return wrong_bulk_type("an array");
     }
     Level level;
@@ -158,6 +161,15 @@ class EventHandler {
   bool end_array() {
     const std::size_t count = levels_.back().index;
     levels_.pop_back();
+    if (bulk_ == MemberKind::rows) {
+      if (levels_.size() < rows_depth) {
+        bulk_ = MemberKind::object;
+        return true;
+      }
+      return count == numbers_a_row ? next_element()
+                                    : fail("an obstacle number and two bounds are needed; got " +
+                                           std::to_string(count) + " numbers");
+    }
     if (levels_.size() == 1) {
       bulk_ = MemberKind::object;
     } else if (levels_.size() == 4) {
@@ -193,6 +205,9 @@ class EventHandler {
   const std::optional<Fault>& fault() const { return fault_; }
   const Values& values() const { return values_; }
   PathNumbers& numbers() { return numbers_; }
+  /// The rows of the one member of that kind, one after the other.
+  const std::vector<double>& rows() const { return rows_; }
+  static constexpr std::size_t numbers_a_row = 3;
   std::size_t coefficients() const { return coefficients_; }
   std::size_t components() const { return components_; }
   std::size_t dimension() const { return dimension_; }
@@ -229,6 +244,9 @@ class EventHandler {
   bool wrong_bulk_type(const std::string& got) {
     const std::size_t depth = levels_.size();
     const char* needed = "a number";
+    if (bulk_ == MemberKind::rows && depth == rows_depth) {
+      needed = "a row, an array of an obstacle number and two bounds,";
+    }
     if (bulk_ == MemberKind::segments) {
       if (depth == 2) needed = "a segment, an object with \"start\" and \"preimage\",";
       if (depth == 3) needed = "an array";
@@ -264,6 +282,9 @@ class EventHandler {
     if (bulk_ == MemberKind::object) return scalar(value, to_text(value));
     if (bulk_ == MemberKind::knots) {
       numbers_.knots.push_back(value);
+    } else if (bulk_ == MemberKind::rows) {
+      if (levels_.size() != rows_depth + 1) return wrong_bulk_type("a number");
+      rows_.push_back(value);
     } else if (levels_.size() == 4 && !in_preimage()) {
       if (levels_.back().index >= most_coordinates) return fail("at most 3 coordinates are needed");
       numbers_.starts.push_back(value);
@@ -338,6 +359,7 @@ class EventHandler {
   }
 
   static constexpr std::size_t unknown = static_cast<std::size_t>(-1);
+  static constexpr std::size_t rows_depth = 4;  // of what a row stands in
   static constexpr std::size_t most_coordinates = 3;
   static constexpr std::size_t most_components = 4;
   static constexpr std::size_t longest_token = 24;
@@ -350,6 +372,7 @@ class EventHandler {
   MemberKind bulk_ = MemberKind::object;  // knots or segments while inside them
   bool has_start_ = false, has_preimage_ = false;
   PathNumbers numbers_;
+  std::vector<double> rows_;
   std::size_t dimension_ = unknown, coefficients_ = unknown, components_ = unknown;
   std::size_t segment_count_ = 0;
 };
@@ -390,6 +413,10 @@ class Assembler {
                              number("/frame/roll/rate")};
     }
     if (auto fault = read_promises(document.promises)) return *fault;
+    if (document.promises.clearance && document.path.dimension() != 2) {
+      return at_pointer(source_, "/promises/clearance",
+                        "a path in space has no clearance from the obstacles of a plane");
+    }
     return document;
   }
 
@@ -476,20 +503,21 @@ class Assembler {
       }
       promises.continuity = orders;
     }
-    std::optional<Enclosure> distance;
+    std::optional<Enclosure> distance, bounds;
     for (const auto& [name, bound] :
          {std::pair{"error", &distance}, std::pair{"arc_length", &promises.arc_length},
           std::pair{"smallest_speed", &promises.smallest_speed},
-          std::pair{"largest_speed", &promises.largest_speed}}) {
+          std::pair{"largest_speed", &promises.largest_speed},
+          std::pair{"largest_curvature", &promises.largest_curvature},
+          std::pair{"clearance/bounds", &bounds}}) {
       const std::string place = std::string("/promises/") + name;
       if (!values_.contains(place)) continue;
-      const double lower = number(place + "/lower"), upper = number(place + "/upper");
-      if (!(0.0 <= lower && lower <= upper)) {
-        return at_pointer(source_, place,
-                          "the bounds should be 0 <= lower <= upper; got lower " + to_text(lower) +
-                              " and upper " + to_text(upper));
-      }
-      *bound = Enclosure(lower, upper);
+      auto read = enclosure(number(place + "/lower"), number(place + "/upper"), place);
+      if (!read) return read.fault();
+      *bound = *read;
+    }
+    if (values_.contains("/promises/clearance")) {
+      if (auto fault = read_clearance(promises, bounds)) return fault;
     }
     if (distance) {
       promises.error =
@@ -504,6 +532,43 @@ class Assembler {
         return at_pointer(source_, place, to_text(*value) + " is negative");
       }
     }
+    return std::nullopt;
+  }
+
+  Result<Enclosure> enclosure(double lower, double upper, const std::string& place) const {
+    if (0.0 <= lower && lower <= upper) return Enclosure(lower, upper);
+    return at_pointer(source_, place,
+                      "the bounds should be 0 <= lower <= upper; got lower " + to_text(lower) +
+                          " and upper " + to_text(upper));
+  }
+
+  std::optional<Fault> read_clearance(Promises& promises,
+                                      const std::optional<Enclosure>& bounds) const {
+    ClearancePromise clearance;
+    clearance.world = text("/promises/clearance/world");
+    clearance.reach = number("/promises/clearance/reach");
+    clearance.bounds = bounds;
+    if (!(clearance.reach >= 0.0)) {
+      return at_pointer(source_, "/promises/clearance/reach",
+                        to_text(clearance.reach) + " is negative");
+    }
+    const std::vector<double>& rows = events_.rows();
+    double last = -1.0;
+    for (std::size_t i = 0; i + 2 < rows.size(); i += EventHandler::numbers_a_row) {
+      const std::string place =
+          "/promises/clearance/obstacles/" + std::to_string(i / EventHandler::numbers_a_row);
+      constexpr double most = 0x1p32;
+      if (!(rows[i] > last && rows[i] == std::floor(rows[i]) && rows[i] < most)) {
+        return at_pointer(
+            source_, place,
+            "the obstacle numbers should be whole and increase; got " + to_text(rows[i]));
+      }
+      last = rows[i];
+      auto distance = enclosure(rows[i + 1], rows[i + 2], place);
+      if (!distance) return distance.fault();
+      clearance.obstacles.push_back({static_cast<std::size_t>(rows[i]), *distance});
+    }
+    promises.clearance = std::move(clearance);
     return std::nullopt;
   }
 

@@ -43,6 +43,15 @@ void append_string(std::string& out, std::string_view text) {
   out += '"';
 }
 
+void append_array(std::string& out, std::span<const double> numbers) {
+  out += '[';
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) out += ", ";
+    append_number(out, numbers[i]);
+  }
+  out += ']';
+}
+
 /// Writes the members of objects, with commas and indentation.
 class Writer {
  public:
@@ -78,6 +87,24 @@ class Writer {
     number("lower", value.lower());
     number("upper", value.upper());
   }
+  /// A list of rows of numbers, one a line.
+  template <class Rows, class Numbers>
+  void rows(std::string_view key, const Rows& rows, const Numbers& numbers_of) {
+    member(key);
+    out_ += '[';
+    bool first = true;
+    for (const auto& row : rows) {
+      out_ += first ? "\n" : ",\n";
+      first = false;
+      out_.append(2 * depth_ + 2, ' ');
+      append_array(out_, numbers_of(row));
+    }
+    if (!first) {
+      out_ += '\n';
+      out_.append(2 * depth_, ' ');
+    }
+    out_ += ']';
+  }
   void begin(std::string_view key) {
     member(key);
     open();
@@ -108,15 +135,6 @@ class Writer {
   std::size_t depth_ = 0;
   bool first_ = true;
 };
-
-void append_array(std::string& out, std::span<const double> numbers) {
-  out += '[';
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i > 0) out += ", ";
-    append_number(out, numbers[i]);
-  }
-  out += ']';
-}
 
 void append_knots(std::string& out, std::span<const double> knots) {
   constexpr std::size_t knots_a_line = 8;
@@ -149,6 +167,18 @@ void append_segments(std::string& out, const PathNumbers& numbers) {
   out += "\n  ]";
 }
 
+void write_clearance(Writer& json, const ClearancePromise& clearance) {
+  json.begin("clearance");
+  json.optional_text("world", clearance.world);
+  json.number("reach", clearance.reach);
+  json.rows("obstacles", clearance.obstacles, [](const ObstacleDistance& row) {
+    return std::array{static_cast<double>(row.obstacle), row.distance.lower(),
+                      row.distance.upper()};
+  });
+  json.enclosure("bounds", clearance.bounds);
+  json.end();
+}
+
 void write_promises(Writer& json, const Promises& promises) {
   json.begin("promises");
   if (const auto& orders = promises.continuity) {
@@ -170,6 +200,8 @@ void write_promises(Writer& json, const Promises& promises) {
   json.enclosure("smallest_speed", promises.smallest_speed);
   json.enclosure("largest_speed", promises.largest_speed);
   json.optional_number("curvature_bound", promises.curvature_bound);
+  json.enclosure("largest_curvature", promises.largest_curvature);
+  if (promises.clearance) write_clearance(json, *promises.clearance);
   json.end();
 }
 

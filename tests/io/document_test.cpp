@@ -101,6 +101,24 @@ TEST(Document, EveryMemberRoundTrips) {
   EXPECT_EQ(to_json(*read), to_json(document));
 }
 
+TEST(Document, APlansPromisesRoundTrip) {
+  Random random("Document.APlansPromisesRoundTrip");
+  PathDocument document{test::random_path<PlanarPath<2>>(random, 3)};
+  document.promises.largest_curvature = Enclosure(1.0 / 3.0, 0.4);
+  document.promises.clearance =
+      ClearancePromise{"world.geojson",
+                       2.5,
+                       {{3, Enclosure(0.1, 0.25)}, {4000000000U, Enclosure(0.0)}},
+                       Enclosure(7.0, 8.0)};
+  const auto read = parse_document(to_json(document));
+  ASSERT_TRUE(read) << read.fault().sentence;
+  EXPECT_EQ(read->promises, document.promises);
+  document.promises.clearance = ClearancePromise{};
+  const auto empty = parse_document(to_json(document));
+  ASSERT_TRUE(empty) << empty.fault().sentence;
+  EXPECT_EQ(empty->promises, document.promises);
+}
+
 TEST(Document, TheTextIsMadeToBeRead) {
   using C = PlanarPhCurve<1>;
   const auto path = PlanarPath<1>::create({0.0, 0.5, 2.0},
@@ -317,6 +335,27 @@ TEST(Document, WrongPromisesAndFramesAreNamed) {
                     "angular_velocity": 1000}})"),
       "the document, at /promises/continuity/angular_velocity: an order of continuity is -1 to "
       "100; got 1000");
+  const auto clearance = [&](std::string_view rows) {
+    return with(R"("promises": {"clearance": {"reach": 1, "obstacles": )" + std::string(rows) +
+                "}}");
+  };
+  EXPECT_EQ(clearance("[[1, 2, 3]]"), "accepted");
+  EXPECT_EQ(clearance("[[1, 2]]"),
+            "the document, at /promises/clearance/obstacles/0: an obstacle number and two bounds "
+            "are needed; got 2 numbers");
+  EXPECT_EQ(clearance("[3]"),
+            "the document, at /promises/clearance/obstacles/0: a row, an array of an obstacle "
+            "number and two bounds, is needed; got a number");
+  EXPECT_EQ(clearance("[[1, [2], 3]]"),
+            "the document, at /promises/clearance/obstacles/0/1: a number is needed; got an array");
+  EXPECT_EQ(clearance("[[2, 0, 1], [1, 0, 1]]"),
+            "the document, at /promises/clearance/obstacles/1: the obstacle numbers should be "
+            "whole and increase; got 1");
+  EXPECT_EQ(clearance("[[2, 3, 1]]"),
+            "the document, at /promises/clearance/obstacles/0: the bounds should be 0 <= lower <= "
+            "upper; got lower 3 and upper 1");
+  EXPECT_EQ(clearance("{}"),
+            "the document, at /promises/clearance/obstacles: an array is needed; got an object");
   EXPECT_EQ(with(R"("promises": [])"),
             "the document, at /promises: an object is needed; got an array");
   EXPECT_EQ(

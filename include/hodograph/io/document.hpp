@@ -5,9 +5,11 @@
 // written reads back bit for bit: numbers are the shortest decimals that round to the same double.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hodograph/foundation/enclosure.hpp"
 #include "hodograph/foundation/result.hpp"
@@ -52,19 +54,38 @@ struct ErrorPromise {
   friend bool operator==(const ErrorPromise&, const ErrorPromise&) = default;
 };
 
+/// The distance of the whole path from one obstacle of a world, by its number there.
+struct ObstacleDistance {
+  std::size_t obstacle = 0;
+  Enclosure distance{};
+  friend bool operator==(const ObstacleDistance&, const ObstacleDistance&) = default;
+};
+
+/// How far the path stays from the obstacles of a world; see planning/clearance.hpp.
+struct ClearancePromise {
+  std::string world{};                        ///< the file that holds the world
+  double reach = 0.0;                         ///< everything that is not listed is at least so far
+  std::vector<ObstacleDistance> obstacles{};  ///< in ascending order
+  std::optional<Enclosure> bounds{};          ///< the distance from the bounds, inside them
+  friend bool operator==(const ClearancePromise&, const ClearancePromise&) = default;
+};
+
 /// What a path promises. Each number can be computed again from the path alone, the error from the
-/// path and its source. Absent means: nothing is promised.
+/// path and its source, the clearance from the path and the world. Absent means: nothing is
+/// promised.
 struct Promises {
   std::optional<ContinuityOrders> continuity{};
   std::optional<ErrorPromise> error{};
-  std::optional<Enclosure> arc_length{};      ///< of the whole path
-  std::optional<Enclosure> smallest_speed{};  ///< contains min σ(ξ)
-  std::optional<Enclosure> largest_speed{};   ///< contains max σ(ξ)
-  std::optional<double> curvature_bound{};    ///< |κ| ≤ this everywhere
+  std::optional<Enclosure> arc_length{};         ///< of the whole path
+  std::optional<Enclosure> smallest_speed{};     ///< contains min σ(ξ)
+  std::optional<Enclosure> largest_speed{};      ///< contains max σ(ξ)
+  std::optional<double> curvature_bound{};       ///< |κ| ≤ this everywhere
+  std::optional<Enclosure> largest_curvature{};  ///< contains max |κ(ξ)|
+  std::optional<ClearancePromise> clearance{};
 
   bool empty() const {
     return !continuity && !error && !arc_length && !smallest_speed && !largest_speed &&
-           !curvature_bound;
+           !curvature_bound && !largest_curvature && !clearance;
   }
   friend bool operator==(const Promises&, const Promises&) = default;
 };
