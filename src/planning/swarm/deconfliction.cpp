@@ -296,23 +296,20 @@ Result<SeparatedArrival> deconflict_arrival(std::span<const ArrivingVehicle> veh
     bool complete = true;
     for (std::size_t i = 0; i < vehicles.size() && complete; ++i) {
       std::optional<Fault> own;
-      for (std::size_t k = 0; k <= moves.departure.delays; ++k) {
-        ArrivingVehicle later = vehicles[i];
-        later.departure += delay_of(moves.departure, k);
-        if (k > 0 && later.departure == vehicles[i].departure) break;
-        for (std::size_t solution = 0; solution < (moves.other_solution ? 2U : 1U); ++solution) {
+      for (std::size_t solution = 0; solution < (moves.other_solution ? 2U : 1U); ++solution) {
+        for (std::size_t k = 0; k <= moves.departure.delays; ++k) {
+          ArrivingVehicle later = vehicles[i];
+          later.departure += delay_of(moves.departure, k);
+          if (k > 0 && later.departure == vehicles[i].departure) break;
           auto path = arriving_path(later, time, solution);
-          if (path) {
-            auto vehicle = planning_detail::flown(later, *path, time);
-            if (!vehicle) {
-              own = vehicle.fault();
-              continue;
-            }
+          auto vehicle =
+              path ? planning_detail::flown(later, *path, time) : Result<Vehicle>(path.fault());
+          if (vehicle) {
             candidates[i].push_back(*std::move(vehicle));
             paths[i].push_back(*std::move(path));
             delays[i].push_back(later.departure - vehicles[i].departure);
           } else if (!own) {
-            own = path.fault();
+            own = vehicle.fault();
             own->sentence = names[i] + ": " + own->sentence;
             own->index = i;
           }

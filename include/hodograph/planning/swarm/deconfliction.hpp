@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Keeping a swarm apart by later departures, the other formal solution, or a later common arrival.
 //
-// For a given arrival time every vehicle has a list of candidates, the least change first: each of
-// its two formal solutions at each of its delays, as far as they keep its curvature limit. Whether
-// two candidates keep their distance is decided once, certified for every instant (separated_by). A
-// backtracking search with forward checking, the vehicle with the fewest candidates left first,
-// finds a choice in which all pairs do, or proves that there is none among the candidates. All of
-// it is deterministic.
+// For a given arrival time every vehicle has a list of candidates, the preferred first: its formal
+// solution with the least rotation index at each of its delays, then the other one, as far as they
+// keep its curvature limit. Whether two candidates keep their distance is decided once, certified
+// for every instant (separated_by). A backtracking search with forward checking, the vehicle with
+// the fewest candidates left first, finds a choice in which all pairs do, or proves that there is
+// none among the candidates. All of it is deterministic.
 #pragma once
 
 #include <cstddef>
