@@ -163,9 +163,7 @@ std::unique_ptr<Command> check_command(CLI::App& program) {
   auto flags = std::make_shared<CheckFlags>();
   auto command = std::make_unique<Command>(
       program, "check", "Compute every promise of a path document again; exit 2 if one is broken.");
-  command
-      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
-      .required();
+  add_document_to(*command, flags->document);
   command->group("Error against samples");
   const Option samples = command->option("--samples", flags->samples, "FILE",
                                          "the samples that the path was fitted to");

@@ -200,9 +200,7 @@ std::unique_ptr<Command> inspect_command(CLI::App& program) {
   auto command = std::make_unique<Command>(
       program, "inspect",
       "Tell what a path is, computed from its numbers, and what its document promises.");
-  command
-      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
-      .required();
+  add_document_to(*command, flags->document);
   command->flag("--json", flags->json, "as one line of JSON");
   command->examples({"hodograph inspect gateway.json", "hodograph inspect gateway.json --json"});
   command->run([flags] { run(*flags); });

@@ -10,6 +10,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/offsets.hpp"
+#include "cli/options.hpp"
 #include "cli/planar_drawing.hpp"
 #include "cli/sample_plan.hpp"
 #include "cli/terminal.hpp"
@@ -154,9 +155,7 @@ std::unique_ptr<Command> offset_command(CLI::App& program) {
   auto flags = std::make_shared<OffsetFlags>();
   auto command = std::make_unique<Command>(
       program, "offset", "The exact offset curves of a path in the plane, with their cusps.");
-  command
-      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
-      .required();
+  add_document_to(*command, flags->document);
   command->group("Offsets");
   constexpr int most_offsets = 1000;
   command

@@ -40,6 +40,11 @@ void distribute_roll(PathDocument& document) {
 
 std::string input_name(const std::string& file) { return file == "-" ? "standard input" : file; }
 
+void add_document_to(Command& command, std::string& document) {
+  command.positional("document", document, "FILE", "the path document ('-': standard input)")
+      .required();
+}
+
 void FitFlags::add_to(Command& command, const std::string& tolerance_help) {
   command.group("Fitting");
   command.option("-t,--tolerance", tolerance, "LENGTH", tolerance_help);

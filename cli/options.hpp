@@ -16,6 +16,9 @@ namespace hodograph::cli {
 /// What sentences call an input file: "standard input" for "-".
 std::string input_name(const std::string& file);
 
+/// The argument that names the path document to read.
+void add_document_to(Command& command, std::string& document);
+
 /// How to fit.
 struct FitFlags {
   double tolerance = 0.0;

@@ -99,9 +99,7 @@ std::unique_ptr<Command> plot_command(CLI::App& program) {
   auto command = std::make_unique<Command>(
       program, "plot",
       "Draw a path with its frames, its quantities along xi, its curvature or offsets, as SVG.");
-  command
-      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
-      .required();
+  add_document_to(*command, flags->document);
   command->group("Picture");
   command
       ->option("--view", flags->view, "VIEW",

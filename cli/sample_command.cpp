@@ -227,9 +227,7 @@ std::unique_ptr<Command> sample_command(CLI::App& program) {
   auto flags = std::make_shared<SampleFlags>();
   auto command = std::make_unique<Command>(
       program, "sample", "Write points of a path, with its frame if wanted, as CSV or JSON.");
-  command
-      ->positional("document", flags->document, "FILE", "the path document ('-': standard input)")
-      .required();
+  add_document_to(*command, flags->document);
   command->group("Where (one of)");
   std::vector<Option> where;
   where.push_back(command->option("-n,--count", flags->count, "N",
