@@ -36,6 +36,7 @@ class TimingLaw {
     double begin, duration;  ///< t_i and T
     double arc_length;       ///< s_i
     double first, second;    ///< p and q
+    friend bool operator==(const Piece&, const Piece&) = default;
   };
 
   /// s = speed · (t - start). Faults (as all that follow): not_finite, outside_domain (a length or
@@ -99,6 +100,9 @@ class TimingLaw {
 
   /// The same law, later by `delay` (earlier if negative). Domain: finite.
   TimingLaw delayed(double delay) const;
+
+  /// Equal in every number.
+  friend bool operator==(const TimingLaw&, const TimingLaw&) = default;
 
   /// The piece that holds a time counted from the start, and s there without a check of the domain:
   /// clamped to [0, length()].

@@ -183,4 +183,9 @@ class MovingPair {
   Clocked a_, b_;
 };
 
+/// The distance of two motions that differ in where their paths start alone: it is that of the
+/// starts, segment by segment, at all times. Empty where they differ otherwise.
+std::optional<Enclosure> formation_distance(const TimedMotion& a, const TimedMotion& b,
+                                            double vertical_scale);
+
 }  // namespace hodograph::planning_detail

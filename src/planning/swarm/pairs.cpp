@@ -226,7 +226,8 @@ class SwarmCheck {
   void row(std::size_t i, SeparationSearch& search, SeparationMatrix& result) const {
     for (std::size_t j = 0; j < i; ++j) {
       SeparationMatrix::Stored& stored = result.entries_[i * (i - 1) / 2 + j];
-      if (slices_.vehicle(i).always_there && slices_.vehicle(j).always_there) {
+      const bool there = slices_.vehicle(i).always_there && slices_.vehicle(j).always_there;
+      if (there && !is_formation(i, j)) {
         stored = {of_pair(j, i, search), true};
       } else if (const auto found =
                      least_separation(vehicles_[j].motion, vehicles_[i].motion, goal_.separation)) {
@@ -240,7 +241,7 @@ class SwarmCheck {
     const std::size_t i = open[0].first, j = open[0].second;
     const double required = required_of(vehicles_[i], vehicles_[j], goal_);
     const SlicedVehicle &a = slices_.vehicle(i), &b = slices_.vehicle(j);
-    if (!a.always_there || !b.always_there) {
+    if (!a.always_there || !b.always_there || is_formation(i, j)) {
       return separated_by(vehicles_[i].motion, vehicles_[j].motion, required, goal_.separation);
     }
     const MovingPair pair = slices_.pair(i, j);
@@ -259,6 +260,10 @@ class SwarmCheck {
     return found.lower >= required ? Answer::yes : Answer::undecided;
   }
 
+  /// Perhaps; those are quicker alone.
+  bool is_formation(std::size_t i, std::size_t j) const {
+    return vehicles_[i].motion.places().shape() == vehicles_[j].motion.places().shape();
+  }
   Meeting met(const MovingPair& pair, const SlicedVehicle& a, const SlicedVehicle& b,
               std::size_t k) const {
     return pair.met(slices_.time(k), a.points[k], b.points[k]);

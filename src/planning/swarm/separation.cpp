@@ -54,6 +54,23 @@ SeparationSearch& thread_search() {
 
 }  // namespace
 
+std::optional<Enclosure> planning_detail::formation_distance(const TimedMotion& a,
+                                                             const TimedMotion& b,
+                                                             double vertical_scale) {
+  const PathPlaces &p = a.places(), &q = b.places();
+  if (p.shape() != q.shape() || !(a.law() == b.law()) || !p.has_shape_of(q)) return std::nullopt;
+  std::optional<Enclosure> distance;
+  for (std::size_t k = 0; k < p.segment_count(); ++k) {
+    const Vector3<double> from = p.start_of(k), to = q.start_of(k);
+    const Enclosure x = Enclosure(from.x) - Enclosure(to.x);
+    const Enclosure y = Enclosure(from.y) - Enclosure(to.y);
+    const Enclosure z = (Enclosure(from.z) - Enclosure(to.z)) * Enclosure(vertical_scale);
+    const Enclosure here = sqrt(square(x) + square(y) + square(z));
+    distance = distance ? Enclosure::hull(*distance, here) : here;
+  }
+  return distance;
+}
+
 std::optional<TimeWindow> common_window(const TimedMotion& a, const TimedMotion& b) {
   const auto begin_of = [](const TimedMotion& m) {
     return m.presence().before_start ? -infinity : m.start_time();
@@ -77,6 +94,15 @@ Result<Separation> least_separation(const TimedMotion& a, const TimedMotion& b,
   const auto window = common_window(a, b);
   if (!window) return window_fault(a, b);
   const MovingPair pair(a, b, *window, goal.vertical_scale);
+  if (const auto distance = planning_detail::formation_distance(a, b, goal.vertical_scale)) {
+    const Meeting meeting = pair.at(0.0);
+    return Separation{*distance,
+                      window->begin,
+                      {window->begin, window->end},
+                      meeting.a.place.point,
+                      meeting.b.place.point,
+                      1};
+  }
   SeparationSearch& search = thread_search();
   const auto found =
       search.run(pair, width_of(a, b, goal), SeparationSearch::none, goal.most_evaluations);
@@ -98,6 +124,10 @@ Answer separated_by(const TimedMotion& a, const TimedMotion& b, double distance,
   const auto window = common_window(a, b);
   if (!window || distance <= 0.0) return Answer::yes;
   if (goal_fault(goal) || !std::isfinite(distance)) return Answer::undecided;
+  if (const auto known = planning_detail::formation_distance(a, b, goal.vertical_scale)) {
+    if (known->upper() < distance) return Answer::no;
+    return known->lower() >= distance ? Answer::yes : Answer::undecided;
+  }
   const MovingPair pair(a, b, *window, goal.vertical_scale);
   const auto found =
       thread_search().run(pair, width_of(a, b, goal), distance, goal.most_evaluations);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -43,6 +44,13 @@ class PathPlaces {
   virtual Place at(double s) const = 0;
   /// The same, a little faster between two places that are known, a before b.
   virtual Place between(double s, const Place& a, const Place& b) const = 0;
+
+  /// Whether the other path has the same segments but for where they start, number by number: a
+  /// number that differs where the paths do (seldom where not), and the comparison.
+  std::uint64_t shape() const { return shape_; }
+  virtual bool has_shape_of(const PathPlaces& other) const = 0;
+  virtual std::size_t segment_count() const = 0;
+  virtual Vector3<double> start_of(std::size_t segment) const = 0;
 
   double length() const { return parts_.arc_lengths.back(); }
   bool is_planar() const { return planar_; }
@@ -83,6 +91,7 @@ class PathPlaces {
   CurvatureParts parts_;
   std::vector<Join> joins_;  // one a segment
   double rounding_ = 0.0, largest_gap_ = 0.0;
+  std::uint64_t shape_ = 0;
   bool planar_ = false;
 };
 
@@ -121,11 +130,26 @@ class PlacesOf final : public PathPlaces {
       coordinate = std::max({coordinate, largest_component(curve.start()) + reach,
                              largest_component(curve.end()) + reach});
       cubic_.push_back(third_derivative_bound(curve) / 3.0);
+      add_to_shape(curve);
       if (k > 0) add_join(path_.segment(k - 1), curve, sum);
       joins_.push_back(sum);
     }
     rounding_ = eps * (static_cast<double>(16 * n + 48) * size + 8.0 * coordinate) +
                 parts_.arc_length_error;
+  }
+
+  bool has_shape_of(const PathPlaces& other) const override {
+    const auto* same_type = dynamic_cast<const PlacesOf*>(&other);
+    if (same_type == nullptr || segment_count() != same_type->segment_count()) return false;
+    for (std::size_t k = 0; k < segment_count(); ++k) {
+      const auto &a = path_.segment(k), &b = same_type->path_.segment(k);
+      if (!(a.parameter_step() == b.parameter_step() && a.preimage() == b.preimage())) return false;
+    }
+    return true;
+  }
+  std::size_t segment_count() const override { return path_.segment_count(); }
+  Vector3<double> start_of(std::size_t k) const override {
+    return in_space(path_.segment(k).start());
   }
 
   Place at(double s) const override {
@@ -148,6 +172,19 @@ class PlacesOf final : public PathPlaces {
   }
 
  private:
+  void add_to_shape(const PhCurve<A, n>& curve) {
+    const auto add = [&](double x) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &x, sizeof bits);
+      shape_ = (shape_ ^ bits) * 1099511628211ULL;  // as FNV-1a does
+      shape_ ^= shape_ >> 32;
+    };
+    add(curve.parameter_step());
+    for (const A& a : curve.preimage().coefficients()) {
+      for (std::size_t j = 0; j < A::dimension; ++j) add(a[j] + 0.0);  // -0 is 0
+    }
+  }
+
   /// h C.
   static double third_derivative_bound(const PhCurve<A, n>& curve) {
     double value = 0.0, first = 0.0, second = 0.0;
