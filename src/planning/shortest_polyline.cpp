@@ -409,7 +409,7 @@ class Search {
       if (!forbidden_.any()) return true;
       // A longer way may go on where the shorter one would not be taut: beyond its wedge.
       const Label& shorter = labels_[same];
-      return side * orientation(shorter.from, shorter.at, from) >= 0;
+      return side * orientation(shorter.from, shorter.at, from) <= 0;
     }
     if (forbidden_.any()) return false;
     const std::uint32_t other = reached_[2 * target + (side > 0 ? 0 : 1)];
@@ -554,6 +554,7 @@ std::optional<Fault> unusable_point(const Point& p, const char* which) {
 std::optional<Fault> unusable_place(const MitredIndex& index, const Patch* patch,
                                     const PolylineQuery& query, const Point& p, const char* which) {
   const WorldPosition position = index.locate(p, patch);
+  if (position.kind == WorldPosition::Kind::free) return std::nullopt;
   const std::string subject =
       std::string("the ") + which + " (" + to_text(p.x) + ", " + to_text(p.y) + ") ";
   const std::string obstacle = index.world().name_of(position.obstacle);
@@ -632,6 +633,7 @@ Result<Polyline> shortest_polyline(const MitredWorld& world, const PolylineQuery
   if (auto fault = unusable_place(index, patch, query, query.start, "start")) return *fault;
   if (auto fault = unusable_place(index, patch, query, query.goal, "goal")) return *fault;
 
+  if (query.start == query.goal) return Polyline{{query.start, query.goal}};
   Search search(index, patch, *forbidden, query.start, query.goal);
   if (forbidden->any()) {
     if (search.run(std::numeric_limits<std::size_t>::max()) == Search::State::found) {

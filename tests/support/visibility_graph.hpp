@@ -40,14 +40,16 @@ inline std::vector<Solid> solids_of(const World& world) {
 template <class Int>
 class VisibilityGraph {
  public:
-  VisibilityGraph(const std::vector<Solid>& solids, double scale) : scale_(scale) {
+  /// Paths may turn at the vertices of the solids, unless told otherwise.
+  VisibilityGraph(const std::vector<Solid>& solids, double scale, bool vertices_are_nodes = true)
+      : scale_(scale) {
     for (const Solid& solid : solids) {
       Shape shape;
       shape.inverted = solid.inverted;
       for (const Ring& ring : solid.rings) {
         for (std::size_t i = 0; i < ring.size(); ++i) {
           shape.edges.push_back({whole(ring[i]), whole(ring[next_vertex(i, ring.size())])});
-          nodes_.push_back(ring[i]);
+          if (vertices_are_nodes) nodes_.push_back(ring[i]);
         }
       }
       shapes_.push_back(std::move(shape));
