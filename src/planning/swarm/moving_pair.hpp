@@ -51,7 +51,10 @@ class Clocked {
   /// No further than this is the motion from the chord of its computed points, at proportional
   /// time, during the time h from a to b.
   double deviation(const MovingPoint& a, const MovingPoint& b, double h) const {
-    const double at_a = error_of(a), at_b = error_of(b), at_ends = std::max(at_a, at_b);
+    // The chord of the exact points is off from that of the computed ones by at_ends at most. The
+    // bounds below are those of the exact curve between the computed parameters, whose ends are
+    // apart from the exact ones by at_ends, too: that moves a point, and its place on the chord.
+    const double at_a = error_of(a), at_b = error_of(b), at_ends = 3.0 * std::max(at_a, at_b);
     // A motion that begins or ends within rounding of the interval's ends moves on by at most this
     // while its speed jumps.
     const double jump = 2.0 * along_;
