@@ -506,7 +506,7 @@ class LegGraph {
   bool may_turn(const Node& node, const P& from, const P& to) const {
     const auto side = [&](const P& p, const P& q, const P& r) { return cross(q - p, r - p); };
     const double turn = side(from, node.at, to);
-    if (turn == 0.0) return false;
+    if (turn == 0.0 || side(node.before, node.at, node.after) <= 0.0) return false;
     const double sign = turn > 0.0 ? 1.0 : -1.0;
     for (const P& p : {node.before, node.after}) {
       if (sign * side(from, node.at, p) < 0.0 || sign * side(node.at, to, p) < 0.0) return false;
