@@ -8,15 +8,17 @@
 #include "cli/fitting.hpp"
 #include "cli/options.hpp"
 #include "cli/path_facts.hpp"
+#include "cli/plans.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
+#include "hodograph/io/geojson.hpp"
 
 namespace hodograph::cli {
 namespace {
 
 struct CheckFlags {
-  std::string document, samples;
+  std::string document, world, samples;
   std::size_t degree = 5;
   bool periodic = false;
 };
@@ -127,6 +129,60 @@ void check_error(Checks& checks, const CheckFlags& flags, const PathDocument& do
               promised.distance, found.error);
 }
 
+/// The clearance from a world, and the largest curvature as plans promise it.
+void check_world(Checks& checks, const CheckFlags& flags, const PathDocument& document) {
+  const Promises& promises = document.promises;
+  if (flags.world.empty()) {
+    if (promises.clearance) {
+      checks.skip("clearance", "the obstacles are not in the document; give the world" +
+                                   (promises.clearance->world.empty()
+                                        ? std::string()
+                                        : ", " + on_one_line(promises.clearance->world)));
+    }
+    return;
+  }
+  if (!promises.clearance) {
+    Checks::broken("clearance", "the document promises none", 0.0, 0.0);
+  }
+  const ClearanceIndex index(load_world(flags.world).value().world);
+  const ClearancePromise found =
+      promise_of(clearance_of(document.path, index, promises.clearance->reach), flags.world);
+  const auto name = [&](std::uint32_t obstacle) {
+    return "clearance from " + index.world().name_of(obstacle);
+  };
+  auto promised = promises.clearance->obstacles.begin();
+  const auto end = promises.clearance->obstacles.end();
+  for (const ObstacleDistance& near : found.obstacles) {
+    const auto obstacle = static_cast<std::uint32_t>(near.obstacle);
+    if (promised == end || promised->obstacle > near.obstacle) {
+      Checks::broken(name(obstacle),
+                     std::string("at least ") + to_text(found.reach) + " is promised, " +
+                         to_text(near.distance.lower()) + " can be shown",
+                     found.reach, near.distance.lower());
+    }
+    if (promised->obstacle < near.obstacle) break;
+    check_bound(checks, name(obstacle).c_str(), promised->distance, near.distance);
+    ++promised;
+  }
+  if (promised != end) {
+    Checks::broken("clearance",
+                   "obstacle " + std::to_string(promised->obstacle) +
+                       " is listed, but the path does not come within " + to_text(found.reach) +
+                       " of it",
+                   static_cast<double>(promised->obstacle), found.reach);
+  }
+  if (found.bounds.has_value() != promises.clearance->bounds.has_value()) {
+    Checks::broken("clearance from the bounds",
+                   found.bounds ? "none is promised, and the path comes near them"
+                                : "one is promised, and the path does not come near any",
+                   0.0, found.reach);
+  }
+  if (found.bounds) {
+    check_bound(checks, "clearance from the bounds", *promises.clearance->bounds, *found.bounds);
+  }
+  checks.hold("clearance", "at least " + to_text(found.reach) + " from everything else");
+}
+
 void run(const CheckFlags& flags) {
   const PathDocument document = load_document(flags.document).value();
   const PathFacts facts = facts_of(document.path);
@@ -153,6 +209,11 @@ void run(const CheckFlags& flags) {
     }
     checks.hold("curvature", std::string("at most ") + to_text(*promises.curvature_bound));
   }
+  if (promises.largest_curvature) {
+    check_bound(checks, "largest curvature", *promises.largest_curvature,
+                largest_curvature(document.path));
+  }
+  check_world(checks, flags, document);
   if (promises.error) check_error(checks, flags, document);
   print(checks.text());
 }
@@ -164,14 +225,16 @@ std::unique_ptr<Command> check_command(CLI::App& program) {
   auto command = std::make_unique<Command>(
       program, "check", "Compute every promise of a path document again; exit 2 if one is broken.");
   add_document_to(*command, flags->document);
+  command->positional("world", flags->world, "[WORLD]",
+                      "the GeoJSON file of the obstacles, for the clearance of a plan");
   command->group("Error against samples");
   const Option samples = command->option("--samples", flags->samples, "FILE",
                                          "the samples that the path was fitted to");
   command->option("--degree", flags->degree, "P", "of the spline through them: 5 (default) or 7")
       .needs(samples);
   command->flag("--periodic", flags->periodic, "the samples are periodic").needs(samples);
-  command->examples(
-      {"hodograph check gateway.json", "hodograph check track.json --samples track.csv"});
+  command->examples({"hodograph check gateway.json", "hodograph check plan.json harbour.geojson",
+                     "hodograph check track.json --samples track.csv"});
   command->note(
       "The error against a formula or an orbit that the document names is computed again, too;\n"
       "samples are not in the document and have to be given.");

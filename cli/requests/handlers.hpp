@@ -15,6 +15,7 @@ Answer answer_corner(Members& request);
 Answer answer_rounded_polyline(Members& request);
 Answer answer_waypoint_path(Members& request);
 Answer answer_planar_spline(Members& request);
+Answer answer_plan(Members& request);
 Answer answer_fit(Members& request);
 Answer answer_orbit(Members& request);
 Answer answer_evaluate(Members& request);

@@ -217,6 +217,8 @@ Members Members::object(std::string_view name) {
   return {need(name), pointer_ + "/" + std::string(name)};
 }
 
+std::string Members::json_text(std::string_view name) { return need(name).dump(); }
+
 PathDocument Members::document(std::string_view document, std::string_view file) {
   if (has(document) == has(file)) {
     refuse_at(pointer_, "give the path as \"" + std::string(document) +

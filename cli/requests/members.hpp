@@ -53,6 +53,8 @@ class Members {
   /// `count` points of space.
   std::vector<Vector3<double>> jet(std::string_view name, std::size_t count);
   Members object(std::string_view name);
+  /// Any value, as JSON text.
+  std::string json_text(std::string_view name);
   /// The path document in `document`, or in the file that `file` names (with other names for both).
   PathDocument document(std::string_view document = "document", std::string_view file = "file");
 

@@ -172,7 +172,9 @@ std::vector<Plot> path_plots(const ReportData& data) {
   std::vector<Plot> plots;
   if (data.path.points.empty()) return plots;
   if (data.dimension == 2) {
-    plots.push_back(plane_picture(data.path, data.length_unit));
+    Plot plot = plane_picture(data.path, data.length_unit);
+    plot.series.insert(plot.series.begin(), data.surroundings.begin(), data.surroundings.end());
+    plots.push_back(std::move(plot));
     return plots;
   }
   for (const Projection projection : {Projection::xy, Projection::xz, Projection::yz}) {
@@ -200,7 +202,12 @@ std::vector<Plot> quantity_plots(const ReportData& data) {
         .series.push_back(series_of(data.xi, data.speed));
   }
   if (!data.curvature.empty()) {
-    add("Curvature \xce\xba", per_length).series.push_back(series_of(data.xi, data.curvature));
+    Plot& plot = add("Curvature \xce\xba", per_length);
+    plot.series.push_back(series_of(data.xi, data.curvature));
+    if (data.curvature_limit) {
+      plot.levels.push_back({*data.curvature_limit, "limit"});
+      if (data.dimension == 2) plot.levels.push_back({-*data.curvature_limit, "limit"});
+    }
   }
   if (!data.torsion.empty()) {
     add("Torsion \xcf\x84", per_length).series.push_back(series_of(data.xi, data.torsion));

@@ -7,9 +7,9 @@
 #include <queue>
 #include <string>
 
+#include "box_tree.hpp"
 #include "hodograph/foundation/accuracy.hpp"
-#include "planning/box_tree.hpp"
-#include "planning/predicates.hpp"
+#include "predicates.hpp"
 
 namespace hodograph {
 

@@ -25,7 +25,9 @@ constexpr int most_rounds = 64;       // of raising offsets for one polyline
 constexpr int most_growths = 8;       // doublings of the offsets about a crowded line
 constexpr int growth_bisections = 4;  // between one that does not suffice and one that does
 constexpr double worthwhile = 1.125;  // a growth that does not give this much more room is none
-constexpr RangeGoal curvature_goal{0x1p-40};
+/// Of the largest curvature: far below radius_margin, which has to hold it.
+constexpr double curvature_width = 0x1p-40;
+constexpr RangeGoal curvature_goal{curvature_width};
 
 double largest_coordinate(const World& world, const PlanRequest& request) {
   double largest = std::max(largest_component(request.start), largest_component(request.goal));
@@ -86,15 +88,17 @@ bool PlanCertificate::proves(const VehicleLimits& limits, double largest) const 
          clearance.least().lower() >= limits.distance() - planning_tolerance * largest;
 }
 
+Enclosure largest_curvature(const PlanarPath<2>& path) {
+  const Extremes found = curvature_extremes(path, curvature_goal);
+  const double least = std::max(found.maximum.lower(), -found.minimum.upper());
+  return {std::max(0.0, least), found.range().magnitude()};
+}
+
 Result<PlanCertificate> certify_plan(const PlanarPath<2>& path, const ClearanceIndex& index,
                                      double reach) {
   auto clearance = index.clearance(path, reach);
   if (!clearance) return clearance.fault();
-  const Extremes curvature = curvature_extremes(path, curvature_goal);
-  const Enclosure most(std::max(curvature.maximum.lower(), -curvature.minimum.upper()),
-                       curvature.range().magnitude());
-  return PlanCertificate{arc_length_enclosure(path),
-                         {std::max(0.0, most.lower()), most.upper()},
+  return PlanCertificate{arc_length_enclosure(path), largest_curvature(path),
                          *std::move(clearance)};
 }
 

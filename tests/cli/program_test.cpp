@@ -59,7 +59,8 @@ TEST(ProgramHelp, EverySubcommandHasASentenceAUsageAndAnExample) {
 /// Puts the files of examples/ where the program runs.
 void copy_examples(const Program& program) {
   const std::filesystem::path from = std::string(HODOGRAPH_SOURCE_DIRECTORY) + "/examples";
-  for (const char* name : {"track.csv", "waypoints.csv", "route.csv", "requests.jsonl"}) {
+  for (const char* name :
+       {"track.csv", "waypoints.csv", "route.csv", "harbour.geojson", "requests.jsonl"}) {
     ASSERT_TRUE(std::filesystem::copy_file(from / name, program.path(name)));
   }
 }

@@ -245,7 +245,8 @@ TEST(PlanarCurvature, SegmentsThatDoNotSettleAreSubdividedAlone) {
     std::vector<Quintic> curves;
     Vector2<double> start{};
     // Sizes beyond 2^100 are left to the subdivision; whether they hold the extremes or not.
-    for (const double scale : {1.0, 0x1p60, i % 2 == 0 ? 0x1p-60 : 1.0}) {
+    constexpr double large = 0x1p60;
+    for (const double scale : {1.0, large, i % 2 == 0 ? 1.0 / large : 1.0}) {
       const auto w = scale * test::tame_preimage<Complex<double>, 2>(random);
       knots.push_back(knots.back() + 1.0);
       curves.emplace_back(start, w, 1.0);

@@ -31,6 +31,8 @@ struct ReportData {
 
   // ---- the pictures: the path, then quantities along ξ
   FramedPolyline path{};
+  std::vector<Series> surroundings{};       ///< drawn under a path in the plane, e.g. obstacles
+  std::optional<double> curvature_limit{};  ///< drawn beside the curvature
   std::size_t dimension = 3;
   std::vector<double> knots{};  ///< parameters; shown where there are few
   std::vector<double> xi{};     ///< where the next four are sampled

@@ -49,6 +49,9 @@ struct PlanCertificate {
 /// twice as much to spare, but for a start or goal that is exactly at the clearance.
 inline constexpr double planning_tolerance = 0x1p-36;
 
+/// The largest |κ| of a path, enclosed to 2^-40 of it.
+Enclosure largest_curvature(const PlanarPath<2>& path);
+
 /// Length, curvature and clearance of any planar path in a world, enclosed; obstacles further than
 /// `reach` are not listed. Faults: those of ClearanceIndex::clearance.
 Result<PlanCertificate> certify_plan(const PlanarPath<2>& path, const ClearanceIndex& index,
