@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A packed tree of boxes: items in the order of a space-filling curve, four to a node, four nodes
-// to the next, without pointers.
+// A packed tree of boxes: items in the order of a space-filling curve, eight to a node, eight
+// nodes to the next, without pointers.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ std::vector<std::uint32_t> hilbert_order(const std::vector<Box>& boxes);
 /// a node are consecutive.
 class BoxTree {
  public:
-  static constexpr std::size_t fan = 4;
+  static constexpr std::size_t fan = 8;
 
   struct Children {
     std::uint32_t begin = 0, end = 0;
@@ -88,7 +88,7 @@ class BoxTree {
   bool any(const Enters& enters, const Visit& visit) const {
     if (empty() || !enters(boxes_.back())) return false;
     if (items_ == 1) return visit(std::uint32_t{0});
-    std::array<std::uint32_t, 64> stack;  // at most (fan - 1) a level wait, and 16 levels
+    std::array<std::uint32_t, 96> stack;  // at most (fan - 1) a level wait, and 11 levels
     std::size_t depth = 0;
     stack[depth++] = root();
     while (depth != 0) {

@@ -220,7 +220,8 @@ class Search {
       do {
         const Entry entry = take(labels_[number]);
         if (entry.kind < 2) {
-          open_box(number, entry);
+          open_box(labels_[number], entry,
+                   turns_.empty() ? entry.least : std::max(entry.least, turns_.top().least));
         } else {
           try_leg(number, entry);
         }
@@ -352,25 +353,36 @@ class Search {
 
   // ---- boxes ---------------------------------------------------------------------------------
 
-  void open_box(std::uint32_t number, const Entry& entry) {
+  /// Looks into a box; boxes in it whose turn has come, too, at once and the nearest first.
+  void open_box(Label& label, const Entry& entry, double limit) {
     const bool extra = entry.kind == 1;
     const BoxTree& tree = extra ? patch_->extra.corner_tree : index_.pieces().corner_tree;
-    Label& label = labels_[number];
     if (is_hidden(label, tree.box(entry.node))) return;
-    const auto look_at = [&](std::uint32_t child) {
+    if (tree.is_item(entry.node)) {
+      return consider(label, extra ? base_corners_ + entry.node : entry.node);
+    }
+    std::array<Entry, BoxTree::fan> due{};
+    std::size_t count = 0;
+    const BoxTree::Children range = tree.children(entry.node);
+    for (std::uint32_t child = range.begin; child < range.end; ++child) {
+      const Box& box = tree.box(child);
       if (tree.is_item(child)) {
         consider(label, extra ? base_corners_ + child : child);
-        return;
+        continue;
       }
-      const Box& box = tree.box(child);
-      if (!label.first.meets(box) || !label.second.meets(box) || is_hidden(label, box)) return;
+      if (!label.first.meets(box) || !label.second.meets(box)) continue;
       const double near = distance(box, label.at);
       const double least = std::max(entry.least, label.length + near + distance(box, goal_));
-      put(label, {least, near, child, entry.kind});
-    };
-    if (tree.is_item(entry.node)) return look_at(entry.node);
-    const BoxTree::Children range = tree.children(entry.node);
-    for (std::uint32_t child = range.begin; child < range.end; ++child) look_at(child);
+      const Entry inner{least, near, child, entry.kind};
+      if (least > limit) {
+        put(label, inner);
+      } else {
+        std::size_t i = count++;
+        for (; i > 0 && near < due[i - 1].near; --i) due[i] = due[i - 1];
+        due[i] = inner;
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) open_box(label, due[i], limit);
   }
 
   static double distance(const Box& box, const Point& p) {
