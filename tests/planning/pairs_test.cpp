@@ -110,7 +110,7 @@ TEST(Pairs, TellWhenAndByHowMuch) {
   Random random("Pairs.TellWhenAndByHowMuch");
   const std::vector<Vehicle> swarm = random_swarm(random, 24, Times::staggered, true);
   SwarmGoal goal;
-  goal.clearance = 0.08;
+  goal.clearance = 0.3;
   const auto found = conflicts(swarm, goal).value();
   const auto close = close_pairs(swarm, goal).value();
   ASSERT_EQ(found.size(), close.size());

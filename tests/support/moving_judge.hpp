@@ -114,7 +114,7 @@ inline WideMinimum least_wide_distance(const WideMotion& a, const WideMotion& b,
                                        int samples = 1000, std::size_t deepest = 3) {
   std::vector<std::pair<double, int>> order;
   std::vector<double> value(static_cast<std::size_t>(samples) + 1);
-  const auto time = [&](int k) { return begin + (end - begin) * k / samples; };
+  const auto time = [&](int k) { return std::min(end, begin + (end - begin) * k / samples); };
   for (int k = 0; k <= samples; ++k) value[static_cast<std::size_t>(k)] = coarse(time(k));
   for (int k = 0; k <= samples; ++k) {
     const auto i = static_cast<std::size_t>(k);
