@@ -10,7 +10,7 @@ namespace {
 
 using namespace hodograph;
 
-constexpr double accuracy = 1e-9;  // not a tolerance: what stepping is asked for, of length 1
+constexpr double proven = 1e-9;  // not a tolerance: what stepping is asked for, of length 1
 
 /// Vehicles that start and arrive all over a square of the side of their path length.
 std::vector<Vehicle> random_swarm(std::size_t count, double staggered) {
@@ -74,7 +74,7 @@ int main() {
         4950.0},
        {"stepping at 1e-9, by the cost of a step",
         [&] { bench::keep(stepped_separation(swarm[0].motion, swarm[1].motion, 1.0 / 1e5)); },
-        1e5 * accuracy}},
+        1e5 * proven}},
       1);
   return 0;
 }
