@@ -113,9 +113,11 @@ class View {
   struct Step {
     double begin = 0.0, limit = 0.0;
   };
-  /// More than the rounding of coordinates; and of the squares of distances.
+  // More than the rounding of coordinates, which is 2^-24.
   static constexpr double slack = 0x1p-22;
-  static constexpr double rounding_up = 1.0 + 0x1p-40;
+  // More than the roundings of squares of distances, some 2^-50.
+  static constexpr double relative_slack = 0x1p-40;
+  static constexpr double rounding_up = 1.0 + relative_slack;
 
   /// The last step that begins at or before t.
   std::size_t step_at(double t) const {

@@ -266,9 +266,10 @@ TEST(MitredWorld, PutsTipsWhereTheLinesMeetHoweverFar) {
   EXPECT_DOUBLE_EQ(world.mitre_tip({0, 0, 0})->y, -1.0);
   EXPECT_DOUBLE_EQ(world.mitre_tip({0, 0, 2})->x, 5.0);
   EXPECT_DOUBLE_EQ(world.mitre_tip({0, 0, 2}, 2.0)->y, 7.0);
-  // A needle of 2^-30 radians: the tip is 2^31 away.
-  const auto needle = mitred({{{{0, 0}, {1, -0x1p-31}, {1, 0x1p-31}}, {}, ""}}, 0.5);
-  EXPECT_NEAR(needle.mitre_tip({0, 0, 0})->x, -0x1p30, 0x1p-10);
+  // A needle of 2^-30 radians: the tip is 2^30 away, to rounding.
+  const double half = std::ldexp(1.0, -31);
+  const auto needle = mitred({{{{0, 0}, {1, -half}, {1, half}}, {}, ""}}, 0.5);
+  EXPECT_DOUBLE_EQ(needle.mitre_tip({0, 0, 0})->x, -std::ldexp(1.0, 30));
   EXPECT_DOUBLE_EQ(needle.mitre_tip({0, 0, 0})->y, 0.0);
   // A notch has no tip there; a collinear point has none.
   const auto notch = mitred({{{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, {}, ""}}, 0.1);
@@ -346,7 +347,7 @@ TEST(ShortestPolyline, RefusesWithNames) {
   EXPECT_FALSE(shortest_polyline(
       world,
       {.start = {9, 9}, .goal = {8, 8}, .forbidden_corners = {{{0, 0, 4}, TurnSide::left}}}));
-  for (const double bad : {-1.0, std::nan(""), 1e300, 1e-300}) {
+  for (const double bad : {-1.0, std::nan(""), 1e300, std::ldexp(1.0, -900)}) {
     EXPECT_FALSE(MitredWorld::create(world.world(), bad)) << bad;
   }
 }
