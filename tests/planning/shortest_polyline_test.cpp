@@ -96,8 +96,7 @@ TEST(ShortestPolyline, EqualsTheVisibilityGraphOnCoarseLattices) {
   compare_with_graph("very coarse lattices", 6.0, 6, 250);
 }
 
-// ---- grown obstacles
-// -----------------------------------------------------------------------------
+// ---- grown obstacles ----------------------------------------
 
 /// Rectilinear obstacles and the rectangles that they are the union of.
 struct Blocks {
@@ -308,8 +307,7 @@ TEST(MitredWorld, LocatesPoints) {
   EXPECT_TRUE(touching.sees({4, 0}, {4, 1}));
 }
 
-// ---- refusals
-// ------------------------------------------------------------------------------------
+// ---- refusals ----------------------------------------
 
 TEST(ShortestPolyline, RefusesWithNames) {
   const auto world =
@@ -366,8 +364,41 @@ TEST(ShortestPolyline, FindsASmallPrisonQuickly) {
             "there is no route: the goal (-15, 5) is walled in from the start");
 }
 
-// ---- choices
-// -------------------------------------------------------------------------------------
+// ---- size ----------------------------------------
+
+// What a query visits grows no faster than n log n on uniform worlds: corners and legs, counted.
+TEST(ShortestPolyline, VisitsNoMoreThanItsShareOfALargeWorld) {
+  test::Random random("uniform worlds");
+  const auto work = [&](int side) {
+    std::vector<Polygon> obstacles;
+    for (int i = 0; i < side; ++i) {
+      for (int k = 0; k < side; ++k) {
+        const double x = i + random.uniform(0.0, 0.3), y = k + random.uniform(0.0, 0.3);
+        obstacles.push_back({square(x, y, random.uniform(0.3, 0.6)), {}, ""});
+      }
+    }
+    const auto world = mitred(std::move(obstacles), 0.01);
+    double visited = 0.0;
+    for (int query = 0; query < 10; ++query) {
+      const double start = random.uniform(0.0, side), goal = random.uniform(0.0, side);
+      const auto found =
+          shortest_polyline(world, {.start = {-1.0, start}, .goal = {side + 1.0, goal}});
+      if (!found) {
+        ADD_FAILURE() << found.fault().sentence;
+        break;
+      }
+      visited += static_cast<double>(found->expanded + found->visibility_tests);
+      EXPECT_LT(found->expanded, world.corner_count() / 4);
+    }
+    return visited;
+  };
+  const double small = work(25), large = work(100);
+  const auto n_log_n = [](double side) { return side * side * std::log(4.0 * side * side); };
+  RecordProperty("growth", std::to_string(large / small));
+  EXPECT_LT(large / small, n_log_n(100.0) / n_log_n(25.0));
+}
+
+// ---- choices ----------------------------------------
 
 TEST(ShortestPolyline, HandlesTheSmallestQuestions) {
   const auto empty = MitredWorld::create(World(), 1.0).value();
