@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "hodograph/construction/corner.hpp"
+#include "hodograph/path/any_path.hpp"
 #include "hodograph/path/curvature_limited_timing.hpp"
 #include "tests/support/moving_judge.hpp"
 #include "tests/support/paths.hpp"

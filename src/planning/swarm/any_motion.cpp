@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The motion of a path whose type is known only when the program runs: every degree is compiled
 // here, once.
+#include "hodograph/path/any_path.hpp"
 #include "hodograph/planning/swarm/timed_motion.hpp"
 
 namespace hodograph {

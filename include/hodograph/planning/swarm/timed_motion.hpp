@@ -4,15 +4,17 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "hodograph/foundation/result.hpp"
-#include "hodograph/path/any_path.hpp"
 #include "hodograph/path/timing_law.hpp"
 #include "hodograph/planning/swarm/detail/path_places.hpp"
 
 namespace hodograph {
+
+class AnyPath;
 
 /// Whether a vehicle stands at its first point before it starts, and at its last after it has
 /// arrived; where not, it is absent then.
