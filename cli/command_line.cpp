@@ -66,7 +66,7 @@ std::string program_help(const CLI::App& program) {
   std::string text =
       "Pythagorean-hodograph paths: curves with an exact arc length and an exact moving frame.\n\n"
       "Usage: hodograph COMMAND [arguments]\n\nCommands\n";
-  constexpr std::size_t column = 12;
+  constexpr std::size_t column = 14;
   for (const CLI::App* const command :
        program.get_subcommands([](const CLI::App*) { return true; })) {
     text += entry(command->get_name(), command->get_description(), column);
@@ -190,8 +190,8 @@ int run_program(int count, const char* const* arguments) {
   Commands commands;
   for (auto* const make :
        {fit_command, orbit_command, spline_command, hermite_command, corner_command, plan_command,
-        offset_command, sample_command, inspect_command, check_command, plot_command, batch_command,
-        version_command}) {
+        separation_command, offset_command, sample_command, inspect_command, check_command,
+        plot_command, batch_command, version_command}) {
     commands.push_back(make(program));
   }
   try {
