@@ -200,6 +200,16 @@ void run(const CheckFlags& flags) {
   if (promises.largest_speed) {
     check_bound(checks, "largest speed", *promises.largest_speed, facts.largest_speed);
   }
+  if (promises.end) {
+    const Vector3<double> off = facts.end - *promises.end;
+    if (!(largest_component(off) <= facts.end_rounding)) {
+      Checks::broken("end",
+                     "the path ends " + to_text(norm(off)) + " from the point that is promised, " +
+                         to_text(facts.end_rounding) + " is rounding",
+                     norm(off), facts.end_rounding);
+    }
+    checks.hold("end", "where it is promised");
+  }
   if (promises.curvature_bound) {
     if (!(facts.curvature_bound <= *promises.curvature_bound)) {
       Checks::broken("curvature",

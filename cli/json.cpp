@@ -168,6 +168,13 @@ Json json_of(const PathDocument& document, const PathFacts& facts) {
     if (promises.arc_length) list["arc_length"] = json_of(*promises.arc_length);
     if (promises.smallest_speed) list["smallest_speed"] = json_of(*promises.smallest_speed);
     if (promises.largest_speed) list["largest_speed"] = json_of(*promises.largest_speed);
+    if (const auto& end = promises.end) {
+      list["end"] =
+          document.path.dimension() == 2 ? list_of(Vector2<double>{end->x, end->y}) : list_of(*end);
+    }
+    if (promises.largest_curvature) {
+      list["largest_curvature"] = json_of(*promises.largest_curvature);
+    }
     if (promises.curvature_bound) list["curvature_bound"] = *promises.curvature_bound;
   }
   return json;

@@ -84,6 +84,13 @@ constexpr double promised_width = 0x1p-20;
 template <class P>
 void bounds_of(PathFacts& facts, const P& path) {
   const RangeGoal goal{promised_width};
+  const auto& last = path.segments().back();
+  const auto end = last.end();
+  facts.end = {end[0], end[1], 0.0};
+  if constexpr (P::Point::dimension == 3) facts.end.z = end[2];
+  facts.end_rounding =
+      accuracy::join_error<double>() *
+      std::max({largest_component(end), largest_component(last.start()), last.arc_length()});
   facts.arc_length = arc_length_enclosure(path);
   const Extremes speed = speed_extremes(path, goal);
   facts.smallest_speed = speed.minimum;
@@ -114,6 +121,7 @@ Promises promises_of(const PathFacts& facts) {
   promises.arc_length = facts.arc_length;
   promises.smallest_speed = facts.smallest_speed;
   promises.largest_speed = facts.largest_speed;
+  promises.end = facts.end;
   if (std::isfinite(facts.curvature_bound)) promises.curvature_bound = facts.curvature_bound;
   return promises;
 }

@@ -29,6 +29,8 @@ struct PathFacts {
   bool antiperiodic = false;  ///< a closed path whose preimage returns to its negative
   std::optional<Holonomy<double>> holonomy{};  ///< of a closed path in space
   Enclosure arc_length, smallest_speed, largest_speed;
+  Vector3<double> end{};         ///< z is 0 in the plane
+  double end_rounding = 0.0;     ///< how far another computation of it may be off
   double curvature_bound = 0.0;  ///< infinite where the path may stand still
   /// The largest coefficient of |r'|² - σ², divided by what rounding allows it: at most 1 on a
   /// Pythagorean-hodograph curve.

@@ -7,7 +7,7 @@
 
 namespace hodograph::io_detail {
 
-enum class MemberKind { text, truth, whole_number, number, object, knots, segments, rows };
+enum class MemberKind { text, truth, whole_number, number, object, knots, segments, rows, point };
 
 struct Member {
   std::string_view pointer;  // JSON pointer from the root
@@ -60,6 +60,7 @@ inline constexpr std::array document_members = {
     Member{"/promises/largest_speed/lower", MemberKind::number, true},
     Member{"/promises/largest_speed/upper", MemberKind::number, true},
     Member{"/promises/curvature_bound", MemberKind::number, false},
+    Member{"/promises/end", MemberKind::point, false},
     Member{"/promises/largest_curvature", MemberKind::object, false},
     Member{"/promises/largest_curvature/lower", MemberKind::number, true},
     Member{"/promises/largest_curvature/upper", MemberKind::number, true},

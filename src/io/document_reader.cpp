@@ -43,6 +43,7 @@ std::string_view name_of(MemberKind kind) {
     case MemberKind::knots:
     case MemberKind::segments:
     case MemberKind::rows:
+    case MemberKind::point:
       return "an array";
   }
   return "";
@@ -142,7 +143,7 @@ class EventHandler {
       const Member* member = current_member();
       if (member == nullptr) return false;
       if (member->kind != MemberKind::knots && member->kind != MemberKind::segments &&
-          member->kind != MemberKind::rows) {
+          member->kind != MemberKind::rows && member->kind != MemberKind::point) {
         return wrong_type(*member, "an array");
       }
       values_.emplace(pointer(), Value{});
@@ -161,6 +162,10 @@ class EventHandler {
   bool end_array() {
     const std::size_t count = levels_.back().index;
     levels_.pop_back();
+    if (bulk_ == MemberKind::point) {
+      bulk_ = MemberKind::object;
+      return true;
+    }
     if (bulk_ == MemberKind::rows) {
       if (levels_.size() < rows_depth) {
         bulk_ = MemberKind::object;
@@ -208,6 +213,8 @@ class EventHandler {
   /// The rows of the one member of that kind, one after the other.
   const std::vector<double>& rows() const { return rows_; }
   static constexpr std::size_t numbers_a_row = 3;
+  /// The coordinates of the one member that is a point.
+  const std::vector<double>& point() const { return point_; }
   std::size_t coefficients() const { return coefficients_; }
   std::size_t components() const { return components_; }
   std::size_t dimension() const { return dimension_; }
@@ -282,6 +289,9 @@ class EventHandler {
     if (bulk_ == MemberKind::object) return scalar(value, to_text(value));
     if (bulk_ == MemberKind::knots) {
       numbers_.knots.push_back(value);
+    } else if (bulk_ == MemberKind::point) {
+      if (levels_.back().index >= most_coordinates) return fail("at most 3 coordinates are needed");
+      point_.push_back(value);
     } else if (bulk_ == MemberKind::rows) {
       if (levels_.size() != rows_depth + 1) return wrong_bulk_type("a number");
       rows_.push_back(value);
@@ -372,7 +382,7 @@ class EventHandler {
   MemberKind bulk_ = MemberKind::object;  // knots or segments while inside them
   bool has_start_ = false, has_preimage_ = false;
   PathNumbers numbers_;
-  std::vector<double> rows_;
+  std::vector<double> rows_, point_;
   std::size_t dimension_ = unknown, coefficients_ = unknown, components_ = unknown;
   std::size_t segment_count_ = 0;
 };
@@ -412,7 +422,7 @@ class Assembler {
           LinearRoll<double>{number("/frame/roll/xi_begin"), number("/frame/roll/theta_begin"),
                              number("/frame/roll/rate")};
     }
-    if (auto fault = read_promises(document.promises)) return *fault;
+    if (auto fault = read_promises(document.promises, document.path.dimension())) return *fault;
     if (document.promises.clearance && document.path.dimension() != 2) {
       return at_pointer(source_, "/promises/clearance",
                         "a path in space has no clearance from the obstacles of a plane");
@@ -484,7 +494,7 @@ class Assembler {
                     events_.components(), in_algebra);
   }
 
-  std::optional<Fault> read_promises(Promises& promises) const {
+  std::optional<Fault> read_promises(Promises& promises, std::size_t dimension) const {
     if (values_.contains("/promises/continuity")) {
       ContinuityOrders orders;
       for (const auto& [name, order] :
@@ -515,6 +525,15 @@ class Assembler {
       auto read = enclosure(number(place + "/lower"), number(place + "/upper"), place);
       if (!read) return read.fault();
       *bound = *read;
+    }
+    if (values_.contains("/promises/end")) {
+      const std::vector<double>& end = events_.point();
+      if (end.size() != dimension) {
+        return at_pointer(source_, "/promises/end",
+                          std::to_string(dimension) + " coordinates are needed; got " +
+                              std::to_string(end.size()));
+      }
+      promises.end = Vector3<double>{end[0], end[1], dimension == 3 ? end[2] : 0.0};
     }
     if (values_.contains("/promises/clearance")) {
       if (auto fault = read_clearance(promises, bounds)) return fault;

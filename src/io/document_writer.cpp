@@ -87,6 +87,10 @@ class Writer {
     number("lower", value.lower());
     number("upper", value.upper());
   }
+  void numbers(std::string_view key, std::span<const double> values) {
+    member(key);
+    append_array(out_, values);
+  }
   /// A list of rows of numbers, one a line.
   template <class Rows, class Numbers>
   void rows(std::string_view key, const Rows& rows, const Numbers& numbers_of) {
@@ -179,7 +183,7 @@ void write_clearance(Writer& json, const ClearancePromise& clearance) {
   json.end();
 }
 
-void write_promises(Writer& json, const Promises& promises) {
+void write_promises(Writer& json, const Promises& promises, std::size_t dimension) {
   json.begin("promises");
   if (const auto& orders = promises.continuity) {
     json.begin("continuity");
@@ -200,6 +204,10 @@ void write_promises(Writer& json, const Promises& promises) {
   json.enclosure("smallest_speed", promises.smallest_speed);
   json.enclosure("largest_speed", promises.largest_speed);
   json.optional_number("curvature_bound", promises.curvature_bound);
+  if (promises.end && is_finite(*promises.end)) {
+    const std::array numbers{promises.end->x, promises.end->y, promises.end->z};
+    json.numbers("end", std::span(numbers).first(dimension));
+  }
   json.enclosure("largest_curvature", promises.largest_curvature);
   if (promises.clearance) write_clearance(json, *promises.clearance);
   json.end();
@@ -228,7 +236,9 @@ std::string to_json(const PathDocument& document) {
     json.optional_number("tolerance", from.tolerance);
     json.end();
   }
-  if (!document.promises.empty()) write_promises(json, document.promises);
+  if (!document.promises.empty()) {
+    write_promises(json, document.promises, document.path.dimension());
+  }
   if (const auto& roll = document.roll) {
     assert(std::isfinite(roll->xi_begin) && std::isfinite(roll->theta_begin) &&
            std::isfinite(roll->rate));

@@ -20,7 +20,7 @@ namespace {
 /// limit itself: far more than the width of an enclosure, far less than anybody measures.
 constexpr double radius_margin = 0x1p-30;
 /// Offsets are raised by this much more than needed, so that the rising ends.
-constexpr double offset_margin = 0x1p-10;
+constexpr double offset_margin = 0.125;
 constexpr int most_rounds = 64;       // of raising offsets for one polyline
 constexpr int most_growths = 8;       // doublings of the offsets about a crowded line
 constexpr int growth_bisections = 4;  // between one that does not suffice and one that does

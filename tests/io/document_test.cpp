@@ -105,6 +105,7 @@ TEST(Document, APlansPromisesRoundTrip) {
   Random random("Document.APlansPromisesRoundTrip");
   PathDocument document{test::random_path<PlanarPath<2>>(random, 3)};
   document.promises.largest_curvature = Enclosure(1.0 / 3.0, 0.4);
+  document.promises.end = Vector3<double>{0.1, -1e300, 0.0};
   document.promises.clearance =
       ClearancePromise{"world.geojson",
                        2.5,
@@ -335,6 +336,12 @@ TEST(Document, WrongPromisesAndFramesAreNamed) {
                     "angular_velocity": 1000}})"),
       "the document, at /promises/continuity/angular_velocity: an order of continuity is -1 to "
       "100; got 1000");
+  EXPECT_EQ(with(R"("promises": {"end": [1]})"),
+            "the document, at /promises/end: 2 coordinates are needed; got 1");
+  EXPECT_EQ(with(R"("promises": {"end": [1, "2"]})"),
+            "the document, at /promises/end/1: a number is needed; got a string");
+  EXPECT_EQ(with(R"("promises": {"end": [1, 2, 3, 4]})"),
+            "the document, at /promises/end/3: at most 3 coordinates are needed");
   const auto clearance = [&](std::string_view rows) {
     return with(R"("promises": {"clearance": {"reach": 1, "obstacles": )" + std::string(rows) +
                 "}}");

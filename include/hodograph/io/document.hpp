@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hodograph/algebra/vector.hpp"
 #include "hodograph/foundation/enclosure.hpp"
 #include "hodograph/foundation/result.hpp"
 #include "hodograph/frame/adapted_frame.hpp"
@@ -76,16 +77,19 @@ struct ClearancePromise {
 struct Promises {
   std::optional<ContinuityOrders> continuity{};
   std::optional<ErrorPromise> error{};
-  std::optional<Enclosure> arc_length{};         ///< of the whole path
-  std::optional<Enclosure> smallest_speed{};     ///< contains min σ(ξ)
-  std::optional<Enclosure> largest_speed{};      ///< contains max σ(ξ)
-  std::optional<double> curvature_bound{};       ///< |κ| ≤ this everywhere
+  std::optional<Enclosure> arc_length{};      ///< of the whole path
+  std::optional<Enclosure> smallest_speed{};  ///< contains min σ(ξ)
+  std::optional<Enclosure> largest_speed{};   ///< contains max σ(ξ)
+  std::optional<double> curvature_bound{};    ///< |κ| ≤ this everywhere
+  /// Where the path ends, within accuracy::join_error of the last segment's coordinates; z is 0 in
+  /// the plane.
+  std::optional<Vector3<double>> end{};
   std::optional<Enclosure> largest_curvature{};  ///< contains max |κ(ξ)|
   std::optional<ClearancePromise> clearance{};
 
   bool empty() const {
     return !continuity && !error && !arc_length && !smallest_speed && !largest_speed &&
-           !curvature_bound && !largest_curvature && !clearance;
+           !curvature_bound && !end && !largest_curvature && !clearance;
   }
   friend bool operator==(const Promises&, const Promises&) = default;
 };
