@@ -16,6 +16,7 @@ std::unique_ptr<Command> spline_command(CLI::App& program);
 std::unique_ptr<Command> hermite_command(CLI::App& program);
 std::unique_ptr<Command> corner_command(CLI::App& program);
 std::unique_ptr<Command> plan_command(CLI::App& program);
+std::unique_ptr<Command> swarm_command(CLI::App& program);
 std::unique_ptr<Command> separation_command(CLI::App& program);
 std::unique_ptr<Command> offset_command(CLI::App& program);
 std::unique_ptr<Command> sample_command(CLI::App& program);

@@ -208,6 +208,15 @@ Series distances_in_time(const TimedMotion& a, const TimedMotion& b, double vert
   return series;
 }
 
+Series at_zero(const Series& series) {
+  Series point{"", {}, {}, SeriesStyle::thin_line, PlotColor::grey};
+  if (!series.x.empty()) {
+    point.x = {series.x.front()};
+    point.y = {0.0};
+  }
+  return point;
+}
+
 Plot separation_picture(const TimedMotion& a, const TimedMotion& b, const SeparationGoal& goal,
                         const SeparationFacts& facts) {
   constexpr std::size_t points = 1000;
@@ -217,7 +226,7 @@ Plot separation_picture(const TimedMotion& a, const TimedMotion& b, const Separa
   plot.y.label = "distance";
   plot.series.push_back(distances_in_time(a, b, goal.vertical_scale, points));
   plot.series.back().color = PlotColor::blue;
-  plot.levels.push_back({0.0, ""});
+  plot.series.push_back(at_zero(plot.series.back()));
   if (facts.at_least) plot.levels.push_back({*facts.at_least, to_six_digits(*facts.at_least)});
   plot.marks.push_back({{facts.least.time, facts.least.distance.upper()},
                         "least " + to_six_digits(facts.least.distance.lower()),

@@ -75,6 +75,9 @@ std::string table_of(const std::vector<std::pair<std::string, std::string>>& row
 Series distances_in_time(const TimedMotion& a, const TimedMotion& b, double vertical_scale,
                          std::size_t points);
 
+/// One point at 0, which is not drawn: the axis of distances then begins there.
+Series at_zero(const Series& series);
+
 /// The distance against time, with the least one and the one asked for.
 Plot separation_picture(const TimedMotion& a, const TimedMotion& b, const SeparationGoal& goal,
                         const SeparationFacts& facts);

@@ -122,9 +122,10 @@ std::unique_ptr<Command> separation_command(CLI::App& program) {
   command->flag("--json", flags->as_json, "the answer as JSON");
   command->option("--svg", flags->picture, "FILE", "a picture of the distance against time");
   command->examples(
-      {"hodograph separation a.json b.json --at-least 0.01",
-       "hodograph separation a.json b.json --speed 1,0.8 --start 0,0.25 --svg distance.svg",
-       "hodograph separation a.json b.json --speed 2 --acceleration 4 --json"});
+      {"hodograph separation fleet/a.json fleet/e.json --at-least 0.01",
+       "hodograph separation fleet/a.json fleet/e.json --speed 1,0.8 --start 0,0.25 --svg "
+       "distance.svg",
+       "hodograph separation fleet/a.json fleet/e.json --speed 2 --acceleration 4 --json"});
   command->note(
       "The bounds hold for every instant and with rounding included; they are not samples.");
   command->run([flags, at_least, step] {

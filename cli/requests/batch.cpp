@@ -224,19 +224,23 @@ Answer answered(const Json& request, std::string& kind) {
 
 }  // namespace
 
+Json parsed_json(std::string_view text, const std::string& what) {
+  if (too_deep(text)) {
+    throw Error(malformed(what + " nests brackets deeper than " + std::to_string(deepest_request) +
+                          " levels"));
+  }
+  Json value;
+  TreeBuilder builder(value);
+  if (!Json::sax_parse(text.begin(), text.end(), &builder))
+    throw Error(malformed(builder.problem()));
+  return value;
+}
+
 std::string answer_line(std::string_view line) {
   Json request, id;
   std::string kind;
   try {
-    if (too_deep(line)) {
-      return fault_line(id, kind,
-                        malformed("the request nests brackets deeper than " +
-                                  std::to_string(deepest_request) + " levels"));
-    }
-    TreeBuilder builder(request);
-    if (!Json::sax_parse(line.begin(), line.end(), &builder)) {
-      return fault_line(id, kind, malformed(builder.problem()));
-    }
+    request = parsed_json(line, "the request");
     if (request.is_object() && request.contains("id")) {
       id = request["id"];
       if (!id.is_string() && !id.is_number()) {

@@ -33,6 +33,10 @@ inline constexpr std::size_t longest_request = std::size_t{1} << 26U;
 /// The deepest nesting of brackets in a request; a document needs 6.
 inline constexpr std::size_t deepest_request = 32;
 
+/// The value of a JSON text of limited depth without repeated members. Throws Error
+/// (malformed_document); `what` is how its sentence calls the text.
+Json parsed_json(std::string_view text, const std::string& what);
+
 /// The answer to one line, without a line feed at its end. Nothing is thrown but std::bad_alloc.
 std::string answer_line(std::string_view line);
 

@@ -40,14 +40,14 @@ std::string in_quotes(std::string_view text) {
   return out + (text.size() > longest ? "...'" : "'");
 }
 
-Members::Members(const Json& json, std::string pointer)
-    : json_(&json), pointer_(std::move(pointer)) {
+Members::Members(const Json& json, std::string pointer, std::string whole)
+    : json_(&json), pointer_(std::move(pointer)), whole_(std::move(whole)) {
   if (!json.is_object()) refuse_at(pointer_, "an object is needed; here is " + type_of(json));
 }
 
 void Members::refuse_at(const std::string& place, const std::string& what) const {
   throw Error(Fault{FaultCode::malformed_document,
-                    (place.empty() ? "the request" : "at " + place) + ": " + what, std::nullopt,
+                    (place.empty() ? whole_ : "at " + place) + ": " + what, std::nullopt,
                     place.empty() ? "request" : place, std::nullopt, std::nullopt});
 }
 
@@ -215,6 +215,15 @@ std::vector<std::vector<Vector3<double>>> Members::jets(std::string_view name, s
 
 Members Members::object(std::string_view name) {
   return {need(name), pointer_ + "/" + std::string(name)};
+}
+
+std::vector<Members> Members::objects(std::string_view name) {
+  const Json& value = need(name);
+  const std::string place = pointer_ + "/" + std::string(name);
+  if (!value.is_array()) refuse_at(place, "a list is needed; here is " + type_of(value));
+  std::vector<Members> result;
+  for (const Json& one : value) result.emplace_back(one, item(place, result.size()));
+  return result;
 }
 
 std::string Members::json_text(std::string_view name) { return need(name).dump(); }

@@ -26,8 +26,9 @@ std::string in_quotes(std::string_view text);
 
 class Members {
  public:
-  /// Of the object `json` at `pointer` ("" for the request itself). Throws Error if it is none.
-  Members(const Json& json, std::string pointer);
+  /// Of the object `json` at `pointer` ("" for all of it, which sentences call `whole`). Throws
+  /// Error if it is none.
+  Members(const Json& json, std::string pointer, std::string whole = "the request");
 
   bool has(std::string_view name) const { return json_->contains(name); }
 
@@ -53,6 +54,8 @@ class Members {
   /// `count` points of space.
   std::vector<Vector3<double>> jet(std::string_view name, std::size_t count);
   Members object(std::string_view name);
+  /// A list of objects.
+  std::vector<Members> objects(std::string_view name);
   /// Any value, as JSON text.
   std::string json_text(std::string_view name);
   /// The path document in `document`, or in the file that `file` names (with other names for both).
@@ -76,7 +79,7 @@ class Members {
   [[noreturn]] void refuse_at(const std::string& place, const std::string& what) const;
 
   const Json* json_;
-  std::string pointer_;
+  std::string pointer_, whole_;
   std::vector<std::string> known_;
 };
 

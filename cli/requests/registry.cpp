@@ -28,6 +28,8 @@ std::span<const RequestKind> request_kinds() {
                   answer_planar_spline},
       RequestKind{"plan", "a path among obstacles that keeps a turn radius and a clearance",
                   answer_plan},
+      RequestKind{"swarm", "vehicles that arrive together or fly given paths, all pairs checked",
+                  answer_swarm},
       RequestKind{"separation", "how close two vehicles come on their paths, at any time",
                   answer_separation},
       RequestKind{"fit", "a path within a tolerance of a formula, samples or an orbit", answer_fit},
