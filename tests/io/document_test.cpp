@@ -103,14 +103,7 @@ TEST(Document, EveryMemberRoundTrips) {
 
 TEST(Document, APlansPromisesRoundTrip) {
   Random random("Document.APlansPromisesRoundTrip");
-  PathDocument document{test::random_path<PlanarPath<2>>(random, 3)};
-  document.promises.largest_curvature = Enclosure(1.0 / 3.0, 0.4);
-  document.promises.end = Vector3<double>{0.1, -1e300, 0.0};
-  document.promises.clearance =
-      ClearancePromise{"world.geojson",
-                       2.5,
-                       {{3, Enclosure(0.1, 0.25)}, {4000000000U, Enclosure(0.0)}},
-                       Enclosure(7.0, 8.0)};
+  PathDocument document = test::planar_document(random);
   const auto read = parse_document(to_json(document));
   ASSERT_TRUE(read) << read.fault().sentence;
   EXPECT_EQ(read->promises, document.promises);

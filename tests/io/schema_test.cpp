@@ -49,6 +49,7 @@ std::map<std::string, Json> documents(const Json& good) {
   std::map<std::string, Json> all;
   all["good"] = good;
   for_each_member(schema(), schema(), Pointer(), [&](const Pointer& at, bool required) {
+    if (!good.contains(at)) return;  // of a path of the other dimension
     Json changed = good;
     changed.at(at.parent_pointer()).erase(at.back());
     all[(required ? "bad, without " : "good, without ") + at.to_string()] = changed;
@@ -74,6 +75,7 @@ std::map<std::string, Json> documents(const Json& good) {
     }
   });
   const auto with = [&](const std::string& name, const char* at, const Json& value) {
+    if (!good.contains(Pointer(at))) return;
     all[name] = good;
     all[name].at(Pointer(at)) = value;
   };
@@ -83,27 +85,39 @@ std::map<std::string, Json> documents(const Json& good) {
   with("bad, format", "/format", "hodograph");
   with("bad, version", "/version", 2);
   with("bad, degree", "/preimage_degree", 13);
-  with("bad, algebra", "/algebra", "complex");
+  with("bad, algebra", "/algebra", good["algebra"] == "complex" ? "quaternion" : "complex");
   with("bad, kind", "/frame/roll/kind", "cubic");
-  with("bad, start", "/segments/0/start", {0, 0});
+  with("bad, start", "/segments/0/start", {0, 0, 0, 0});
   with("bad, coefficient", "/segments/1/preimage/1", {0, 0, 0});
   with("bad, number", "/knots/1", "1");
+  with("bad, row", "/promises/clearance/obstacles/0", {1, 2});
+  with("bad, reach", "/promises/clearance/reach", -1);
+  with("bad, end", "/promises/end", {1, 2, 3, 4});
   return all;
 }
 
 class Schema : public ::testing::Test {
  protected:
   test::Random random_{"Schema"};
-  const Json good_ = Json::parse(to_json(test::full_document(random_)));
+  const std::vector<Json> good_ = {Json::parse(to_json(test::full_document(random_))),
+                                   Json::parse(to_json(test::planar_document(random_)))};
 };
+
+TEST_F(Schema, EveryMemberStandsInOneOfTheDocuments) {
+  for_each_member(schema(), schema(), Pointer(), [&](const Pointer& at, bool) {
+    EXPECT_TRUE(good_[0].contains(at) || good_[1].contains(at)) << at;
+  });
+}
 
 TEST_F(Schema, TheReaderKnowsTheSameMembers) {
   std::size_t count = 0;
-  for (const auto& [name, document] : documents(good_)) {
-    const auto read = parse_document(document.dump());
-    EXPECT_EQ(read.has_value(), name.starts_with("good"))
-        << name << ": " << (read ? "accepted" : read.fault().sentence);
-    ++count;
+  for (const Json& good : good_) {
+    for (const auto& [name, document] : documents(good)) {
+      const auto read = parse_document(document.dump());
+      EXPECT_EQ(read.has_value(), name.starts_with("good"))
+          << name << ": " << (read ? "accepted" : read.fault().sentence);
+      ++count;
+    }
   }
   EXPECT_GT(count, 200U);
 }
@@ -113,7 +127,11 @@ TEST_F(Schema, AnIndependentValidatorAgrees) {
   ASSERT_NE(python, "") << "needs Debian's python3-jsonschema";
   const TemporaryDirectory directory;
   Json all = Json::object();
-  for (const auto& [name, document] : documents(good_)) all[name] = document;
+  for (const Json& good : good_) {
+    for (const auto& [name, document] : documents(good)) {
+      all[name + " (" + good["algebra"].get<std::string>() + ")"] = document;
+    }
+  }
   all["good, a plane path"] = Json::parse(
       R"({"format": "hodograph-path", "version": 1, "algebra": "complex", "preimage_degree": 1,
           "closed": false, "knots": [0, 1],
