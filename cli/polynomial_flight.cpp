@@ -15,7 +15,7 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double rounded_up = 1.0 + 0x1.0p-40;  // not a tolerance: far more than the roundings
 constexpr std::size_t most_pieces = 20'000;
-constexpr std::size_t most_samples = 100'000;  // a piece that would need more is halved
+constexpr std::size_t most_samples = 32'768;  // a piece that would need more is halved
 
 using Vector = Vector3<double>;
 
@@ -46,9 +46,11 @@ class Flattener {
     }
     if (!divisible || error < 4.0 * rounding() || flight.pieces.size() >= most_pieces) {
       throw Error(Fault{FaultCode::tolerance_not_reached,
-                        "polynomials of degree seven come within " + to_text(error) +
-                            " of the motion at time " + to_text(stretch.begin) + "; " +
-                            to_text(tolerance_) + " is asked for",
+                        std::to_string(flight.pieces.size()) +
+                            " polynomials of degree seven follow the motion up to time " +
+                            to_text(stretch.begin) + ", where the next is " +
+                            (std::isfinite(error) ? to_text(error) + " off" : "not bounded") +
+                            "; " + to_text(tolerance_) + " is asked for",
                         std::nullopt, "tolerance", error, tolerance_});
     }
     add({stretch.begin, middle, stretch.segment, stretch.law_piece}, flight);
@@ -126,6 +128,30 @@ class Flattener {
     return piece;
   }
 
+  /// Of the parts of the segment that the stretch may touch.
+  double most_curvature(const Stretch& stretch) const {
+    const CurvatureParts& parts = motion_.places().parts();
+    const double slack = motion_.law().arc_length_error() + 4.0 * parts.arc_length_error;
+    const double first = motion_.law().arc_length_at(stretch.begin) - slack;
+    const double last = motion_.law().arc_length_at(stretch.end) + slack;
+    double most = 0.0;
+    const std::size_t begin = stretch.segment * parts.per_segment;
+    for (std::size_t i = begin; i < begin + parts.per_segment; ++i) {
+      if (parts.arc_lengths[i + 1] < first || parts.arc_lengths[i] > last) continue;
+      most = std::max(most, parts.most_curvature[i]);
+    }
+    return most;
+  }
+
+  double distance_at(const PolynomialPiece& piece, const Stretch& stretch, double t) const {
+    Vector point{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& c = piece.coefficients[axis];
+      for (std::size_t k = 8; k-- > 0;) point[axis] = point[axis] * t + c[k];
+    }
+    return norm(point - motion_.position(stretch.begin + t));
+  }
+
   /// The bound; infinite where a piece is too long for it and may be halved.
   double error_of(const PolynomialPiece& piece, const Stretch& stretch, bool divisible) const {
     const double h = piece.duration;
@@ -142,33 +168,35 @@ class Flattener {
     const auto& law = motion_.law().pieces()[stretch.law_piece];
     const double v = 2.0 * std::max(law.first, law.second) / law.duration;
     const double a = motion_.law().acceleration_bound(stretch.law_piece);
-    const CurvatureParts& parts = motion_.places().parts();
-    const auto begin = parts.most_curvature.begin() +
-                       static_cast<std::ptrdiff_t>(stretch.segment * parts.per_segment);
-    const double curvature =
-        *std::max_element(begin, begin + static_cast<std::ptrdiff_t>(parts.per_segment));
-    const double most = (curvature * v * v + a + norm(bend)) * rounded_up;
+    const double curvature = most_curvature(stretch);
     // The bound of what lies between samples should be a quarter of the tolerance.
-    const double count = std::ceil(h * std::sqrt(most / (2.0 * tolerance_)));
+    const double smooth = a + norm(bend), turning = curvature * v * v;
+    const double count =
+        std::ceil(h * std::min(std::sqrt((turning + smooth) / (2.0 * tolerance_)),
+                               std::max(4.0 * v / tolerance_, std::sqrt(smooth / tolerance_))));
     if (!(count <= static_cast<double>(most_samples)) && divisible) {
       return std::numeric_limits<double>::infinity();
     }
     const auto samples =
         static_cast<std::size_t>(std::clamp(count, 8.0, static_cast<double>(most_samples)));
+    // Most pieces that are too long show it at a few places.
+    constexpr int looks = 16;
     double largest = 0.0;
+    for (int i = 1; i < looks && divisible; ++i) {
+      largest =
+          std::max(largest, distance_at(piece, stretch, h * (static_cast<double>(i) / looks)));
+      if (largest > tolerance_) return largest;
+    }
     for (std::size_t i = 0; i <= samples; ++i) {
       const double t = h * (static_cast<double>(i) / static_cast<double>(samples));
-      Vector point{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& c = piece.coefficients[axis];
-        for (std::size_t k = 8; k-- > 0;) point[axis] = point[axis] * t + c[k];
-      }
-      largest = std::max(largest, norm(point - motion_.position(stretch.begin + t)));
+      largest = std::max(largest, distance_at(piece, stretch, t));
+      if (largest > tolerance_ && divisible) break;
     }
     const double gap = h / static_cast<double>(samples);
     constexpr double operations = 32.0;  // of Horner's scheme, twice what is needed
-    return (largest + most * gap * gap / 8.0 + operations * eps * norm(size) + rounding()) *
-           rounded_up;
+    const double between =
+        std::min(turning * gap * gap / 8.0, v * gap / 2.0) + smooth * gap * gap / 8.0;
+    return (largest + between + operations * eps * norm(size) + rounding()) * rounded_up;
   }
 
   const AnyPath& path_;

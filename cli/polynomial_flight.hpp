@@ -32,7 +32,7 @@ struct PolynomialFlight {
 ///
 /// The error: at times δ apart the distance is computed; in between it is at most the larger of two
 /// neighbours and M δ²/8, M a bound of the second derivative of both: κ v² + |a| of the motion, the
-/// sum of the coefficients' sizes of the polynomial.
+/// sum of the coefficients' sizes of the polynomial; where κ is large, v δ/2 instead of κ v² δ²/8.
 /// Faults: outside_domain (a tolerance that is not positive; a path that stands still within, where
 /// the motion has no velocity), tolerance_not_reached (rounding or the number of pieces forbid it,
 /// with the error that is reached).

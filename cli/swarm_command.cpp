@@ -125,19 +125,25 @@ void write_polynomials(const SwarmFlags& flags, const SwarmFacts& facts, std::st
   std::size_t pieces = 0;
   std::vector<std::string> files;
   for (std::size_t i = 0; i < facts.vehicles.size(); ++i) {
-    const PolynomialFlight flight =
-        polynomial_flight(facts.documents[i].path, facts.vehicles[i].motion, begin, tolerance)
-            .value();
-    error = std::max(error, flight.error);
-    pieces += flight.pieces.size();
-    files.push_back(crazyswarm_csv(flight));
+    const auto flight =
+        polynomial_flight(facts.documents[i].path, facts.vehicles[i].motion, begin, tolerance);
+    if (!flight) {
+      Fault fault = flight.fault();
+      fault.sentence = "'" + facts.vehicles[i].id + "': " + fault.sentence;
+      throw Error(fault);
+    }
+    error = std::max(error, flight->error);
+    pieces += flight->pieces.size();
+    files.push_back(crazyswarm_csv(*flight));
   }
   make_folder(flags.crazyswarm);
   for (std::size_t i = 0; i < files.size(); ++i) {
     write(file_in(flags.crazyswarm, facts.vehicles[i].id + ".csv"), files[i]);
   }
+  // Rounding to three digits takes off at most 1/200.
+  constexpr double three_digits = 1.0 + 1.0 / 128.0;
   char bound[32];
-  std::snprintf(bound, sizeof bound, "%.3g", error * (1.0 + 0x1p-7));  // stays a bound when rounded
+  std::snprintf(bound, sizeof bound, "%.3g", error * three_digits);
   written += "wrote " + std::to_string(files.size()) + " trajectories to " + flags.crazyswarm +
              ": " + std::to_string(pieces) + " polynomials, within " + bound +
              " of the paths at every instant, certified\n";

@@ -43,7 +43,7 @@ bool is_plain(const std::string& id) {
 }
 
 std::string id_of(Members& vehicle, std::size_t number, std::set<std::string>& taken) {
-  const std::string id = vehicle.text("id", std::to_string(number + 1));
+  std::string id = vehicle.text("id", std::to_string(number + 1));
   if (!is_plain(id)) {
     vehicle.refuse(
         "id", in_quotes(id) + " does not serve as a name: up to 64 letters, digits, - and _ do");

@@ -14,6 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+// What is asked of an enclosure, relative to paths of length 1 (SeparationGoal), and as much again
+// for rounding.
+constexpr double enclosure_width = 2.0 * 0x1.0p-30;
+// Where a distance is least to that width it is flat: times and places are known to its root.
+constexpr double time_width = 0x1.0p-13;
+
 /// A straight path of unit length in a direction of the plane, half its angle from the x axis.
 std::string line_document(double x, double y, double half_angle) {
   const Json document = {
@@ -66,7 +72,7 @@ TEST(ProgramSeparation, EnclosesWhatIsKnown) {
   EXPECT_LE(json["distance"]["lower"].get<double>(), exact);
   EXPECT_GE(json["distance"]["upper"].get<double>(), exact);
   EXPECT_LE(json["distance"]["upper"].get<double>() - json["distance"]["lower"].get<double>(),
-            0x1p-29);  // the goal's width and rounding
+            enclosure_width);
   EXPECT_LE(json["time_range"]["lower"].get<double>(), 0.375);
   EXPECT_GE(json["time_range"]["upper"].get<double>(), 0.375);
   // The second twice as fast and an eighth later: (1/4, 2t - 3/4), closest at t = 7/20.
@@ -129,8 +135,8 @@ TEST(ProgramSeparation, TrapezoidsAreSlower) {
   const Json json = answer(program, {"separation", "east.json", "north.json", "--acceleration", "2",
                                      "--json", "--at-least", "0.01"});
   const double time = json["time"].get<double>(), s = json["first"][0].get<double>();
-  EXPECT_NEAR(s, 0.375, 0x1p-10);           // the place does not depend on the common timing
-  EXPECT_NEAR(time, 0.5 + 0.125, 0x1p-10);  // 1/4 by then 1/2, the rest at speed 1
+  EXPECT_NEAR(s, 0.375, time_width);           // the place does not depend on the common timing
+  EXPECT_NEAR(time, 0.5 + 0.125, time_width);  // 1/4 by then 1/2, the rest at speed 1
   EXPECT_EQ(json["keeps"], "yes");
   EXPECT_TRUE(json["passages"].empty());
 }
@@ -282,6 +288,9 @@ TEST(ProgramSwarm, TrajectoriesStayWithinTheStatedError) {
   const std::size_t at = made.out.find("within ") + 7;
   const double stated = std::stod(made.out.substr(at));
   EXPECT_LE(stated, 1.01e-5);  // not a tolerance: the data above, rounded up to three digits
+  // Third derivatives of terms up to 1 over pieces of 1/64 at the least: 210 · 64³ of 2^-52, some
+  // ten operations each.
+  constexpr double jerk_rounding = 0x1.0p-23;
   double largest = 0.0;
   for (const char* name : {"a", "b", "c", "d", "e", "f"}) {
     const std::string text = text_of_file(program.path(std::string("csv/") + name + ".csv"));
@@ -308,9 +317,7 @@ TEST(ProgramSwarm, TrajectoriesStayWithinTheStatedError) {
       for (std::size_t axis = 0; axis < 2; ++axis) {
         for (std::size_t order = 0; order <= 3; ++order) {
           const double end = polynomial(pieces[k], axis, order, pieces[k][0]);
-          // The k-th derivative loses a factor of some tens over the duration each time; jerks of
-          // these paths reach 10^4.
-          EXPECT_NEAR(end, polynomial(pieces[k + 1], axis, order, 0.0), 0x1p-20) << name << k;
+          EXPECT_NEAR(end, polynomial(pieces[k + 1], axis, order, 0.0), jerk_rounding) << name << k;
         }
       }
     }
