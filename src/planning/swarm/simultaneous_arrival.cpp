@@ -91,6 +91,9 @@ std::string what_would_do(const ArrivingVehicle& v, std::span<const double> time
       }
     }
   }
+  if (!std::isfinite(least)) {
+    return "no later arrival was looked at; an earlier one or a larger limit may do";
+  }
   return "no later arrival looked at would do; the least largest curvature is " + to_text(least) +
          ", at length " + to_text(at);
 }
