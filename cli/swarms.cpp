@@ -136,7 +136,16 @@ double arrival_time(const std::vector<ArrivingVehicle>& vehicles, const ArrivalC
   for (const ArrivingVehicle& v : vehicles) {
     longest = std::max(longest, norm(v.end.position - v.begin.position) / v.speed);
   }
-  return earliest_arrival(vehicles) + *choice.excess * longest;
+  const double time = earliest_arrival(vehicles) + *choice.excess * longest;
+  if (!std::isfinite(time)) {
+    throw Error(Fault{FaultCode::outside_domain,
+                      "with an excess of " + to_text(*choice.excess) +
+                          " the vehicles would arrive beyond all numbers; the longest straight "
+                          "flight takes " +
+                          to_text(longest),
+                      std::nullopt, "excess", *choice.excess, std::nullopt});
+  }
+  return time;
 }
 
 SimultaneousArrival arrival_of(const SwarmRequest& request) {

@@ -326,6 +326,61 @@ TEST(ProgramSwarm, TrajectoriesStayWithinTheStatedError) {
   EXPECT_GT(largest, 0.01 * stated);  // the bound is of use
 }
 
+TEST(ProgramSwarm, TrajectoriesFollowPathsInSpaceFromRestToRest) {
+  const Program program;
+  ASSERT_EQ(program
+                .run({"fit", "--formula", "cos(3*t), sin(3*t), t^2", "-t", "1e-6", "-o",
+                      "coil.json"})  // not a tolerance: request data
+                .code,
+            0);
+  write_text(program.path("coil-swarm.json"),
+             R"({"vehicles": [{"id": "coil", "file": "coil.json", "departure": 0.5, "speed": 2,
+                 "acceleration": 4, "deceleration": 8}, {"id": "first", "file": "coil.json"}]})");
+  const Outcome made = program.run({"swarm", "coil-swarm.json", "--crazyswarm", "csv",
+                                    "--tolerance", "1e-6"});  // not a tolerance: request data
+  ASSERT_EQ(made.code, 0) << made.err;
+  const double stated = std::stod(made.out.substr(made.out.find("within ") + 7));
+  const double length =
+      answer(program, {"swarm", "coil-swarm.json", "--json"})["vehicles"][0]["length"]
+          .get<double>();
+  // Half a unit of time to speed 2 and 1/2 of the length, a quarter and 1/4 to brake.
+  const double cruise = (length - 0.75) / 2.0, total = 0.75 + cruise;
+  const auto arc_length = [&](double t) {
+    if (t < 0.5) return 2.0 * t * t;
+    if (t < 0.5 + cruise) return 0.5 + 2.0 * (t - 0.5);
+    return length - 4.0 * (total - t) * (total - t);
+  };
+  const auto pieces = numbers_of(text_of_file(program.path("csv/coil.csv")));
+  EXPECT_EQ(pieces[0][0], 0.5);  // it stands until the other has flown half a unit of time
+  constexpr int count = 200;
+  std::string places;
+  std::vector<double> times;
+  for (int i = 0; i <= count; ++i) {
+    times.push_back(total * i / count);
+    places += (i == 0 ? "" : ",") + Json(std::clamp(arc_length(times.back()), 0.0, length)).dump();
+  }
+  const Json rows = Json::parse(
+      program.run({"sample", "coil.json", "--arc-length", places, "--format", "json"}).out)["rows"];
+  ASSERT_EQ(rows.size(), times.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    double begin = 0.0;
+    std::size_t piece = 0;
+    const double t = 0.5 + times[i];
+    while (piece + 1 < pieces.size() && t > begin + pieces[piece][0]) begin += pieces[piece++][0];
+    double off = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double d =
+          polynomial(pieces[piece], axis, 0, t - begin) - rows[i][2 + axis].get<double>();
+      off += d * d;
+    }
+    largest = std::max(largest, std::sqrt(off));
+  }
+  EXPECT_LE(largest, stated);
+  EXPECT_GT(largest, 0.001 * stated);
+  EXPECT_NEAR(polynomial(pieces.back(), 0, 1, pieces.back()[0]), 0.0, stated);  // at rest
+}
+
 TEST(ProgramSwarm, TheAnimationNeedsNothingElse) {
   const Program program;
   copy_swarm(program);
