@@ -112,8 +112,9 @@ void write_documents(const SwarmFlags& flags, const SwarmFacts& facts, std::stri
              file_in(flags.folder, "swarm.json") + "\n";
 }
 
-void write_polynomials(const SwarmFlags& flags, const SwarmFacts& facts, std::string& written) {
-  if (flags.crazyswarm.empty()) return;
+/// How many polynomials were written, and their error as JSON; null where none were asked for.
+Json write_polynomials(const SwarmFlags& flags, const SwarmFacts& facts, std::string& written) {
+  if (flags.crazyswarm.empty()) return {};
   constexpr double share = 1e-6;  // not a tolerance: the default, of the longest path
   double begin = facts.vehicles[0].motion.start_time(), longest = 0.0;
   for (const Vehicle& vehicle : facts.vehicles) {
@@ -147,6 +148,7 @@ void write_polynomials(const SwarmFlags& flags, const SwarmFacts& facts, std::st
   written += "wrote " + std::to_string(files.size()) + " trajectories to " + flags.crazyswarm +
              ": " + std::to_string(pieces) + " polynomials, within " + bound +
              " of the paths at every instant, certified\n";
+  return {{"folder", flags.crazyswarm}, {"polynomials", pieces}, {"error", error}};
 }
 
 bool ends_in_html(const std::string& file) {
@@ -161,7 +163,7 @@ void run(const SwarmFlags& flags) {
   const SwarmFacts facts = swarm_facts(request_of(flags));
   std::string written;
   write_documents(flags, facts, written);
-  write_polynomials(flags, facts, written);
+  const Json trajectories = write_polynomials(flags, facts, written);
   const auto write_text = [&](const std::string& file, const std::string& text) {
     write(file, text);
     written += "wrote " + file + "\n";
@@ -177,7 +179,9 @@ void run(const SwarmFlags& flags) {
   }
   std::string text;
   if (flags.as_json) {
-    append_json(text, json_of(facts, flags.closest, false, false));
+    Json json = json_of(facts, flags.closest, false, false);
+    if (!trajectories.is_null()) json["trajectories"] = trajectories;
+    append_json(text, json);
     text += "\n";
   } else {
     if (facts.arrival) text = "  All arrive at " + to_text(*facts.arrival) + "\n\n";

@@ -134,7 +134,8 @@ double arrival_time(const std::vector<ArrivingVehicle>& vehicles, const ArrivalC
   }
   double longest = 0.0;
   for (const ArrivingVehicle& v : vehicles) {
-    longest = std::max(longest, norm(v.end.position - v.begin.position) / v.speed);
+    const Vector2<double> chord = v.end.position - v.begin.position;
+    longest = std::max(longest, std::hypot(chord.x, chord.y) / v.speed);
   }
   const double time = earliest_arrival(vehicles) + *choice.excess * longest;
   if (!std::isfinite(time)) {
