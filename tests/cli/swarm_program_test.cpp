@@ -198,7 +198,7 @@ TEST(ProgramSwarm, SixVehiclesArriveTogetherAndCertainlyApart) {
   const Json pair = answer(
       program, {"separation", "fleet/c.json", "fleet/e.json", "--arrival", "1.125", "--json"});
   const double lower = pair["distance"]["lower"].get<double>();
-  const std::string row_of_c = rows[3];
+  const std::string& row_of_c = rows[3];
   std::istringstream fields(row_of_c);
   std::string field;
   for (int i = 0; i < 6; ++i) std::getline(fields, field, ',');  // c, then a to e
