@@ -167,16 +167,29 @@ TEST(Table, HostileBytesNeverCrash) {
   }
 }
 
-// The orbit table of the JPL catalogue is not part of this repository; its file may be named.
+// A table as the JPL catalogue of orbits writes it; its own file is not part of this repository,
+// but may be named and is then read, too.
 TEST(CurveSamples, AnOrbitTableReads) {
-  const char* path = std::getenv("HODOGRAPH_ORBIT_TABLE");
-  if (path == nullptr) GTEST_SKIP() << "HODOGRAPH_ORBIT_TABLE names no file";
-  const auto samples = curve_samples(read_table(read_file(path).value(), path).value(), {}, path);
-  ASSERT_TRUE(samples) << samples.fault().sentence;
-  EXPECT_EQ(samples->dimension, 3U);
-  EXPECT_EQ(samples->parameter_unit, "TU");
-  EXPECT_EQ(samples->length_unit, "LU");
-  EXPECT_GT(samples->points.size(), 100U);
+  const std::string header = "Time (TU),X (LU),Y (LU),Z (LU),VX (LU/TU),VY (LU/TU),VZ (LU/TU)\n";
+  std::vector<std::string> tables = {
+      header +
+      "0,1.03,3.9e-27,-0.19,2.2e-14,-0.11,4.1e-13\n0.5,1.02,-0.05,-0.18,-0.06,-0.11,0.2\n"
+      "1,0.99,-0.04,-0.03,-0.09,0.23,0.61\n"};
+  if (const char* file = std::getenv("HODOGRAPH_ORBIT_TABLE"); file != nullptr) {
+    tables.push_back(read_file(file).value());
+  }
+  for (const std::string& text : tables) {
+    const auto samples = curve_samples(read_table(text).value());
+    ASSERT_TRUE(samples) << samples.fault().sentence;
+    EXPECT_EQ(samples->dimension, 3U);
+    EXPECT_EQ(samples->parameter_unit, "TU");
+    EXPECT_EQ(samples->length_unit, "LU");
+    // The position's columns alone, one point a line after the header.
+    EXPECT_EQ(samples->points.size(),
+              static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) - 1);
+    const auto x = text.find(',', text.find('\n')) + 1;
+    EXPECT_EQ(samples->points.front()[0], std::stod(text.substr(x)));
+  }
 }
 
 }  // namespace

@@ -7,41 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "hodograph/construction/corner.hpp"
 #include "hodograph/construction/planar_spline.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/star_worlds.hpp"
 
 namespace hodograph {
 namespace {
 
 using test::Random;
 using P = Vector2<double>;
-
-Ring star(Random& random, const P& middle, double size) {
-  Ring ring;
-  const std::size_t count = 3 + random.index(8);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double angle =
-        2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
-    const double r = size * random.uniform(0.3, 1.0);
-    ring.push_back({middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)});
-  }
-  return ring;
-}
-
-World random_world(Random& random, std::size_t count, bool with_bounds) {
-  std::vector<Polygon> obstacles;
-  for (std::size_t k = 0; k < count; ++k) {
-    const P middle{random.uniform(-10, 10), random.uniform(-10, 10)};
-    obstacles.push_back({star(random, middle, random.uniform(0.2, 2.0)), {}, ""});
-  }
-  std::optional<Ring> bounds;
-  if (with_bounds) bounds = Ring{{-30, -30}, {30, -30}, {30, 30}, {-30, 30}};
-  return World::create(std::move(obstacles), std::move(bounds)).value();
-}
 
 PlanarPath<2> random_path(Random& random) {
   std::vector<P> points;
@@ -86,7 +63,9 @@ TEST(Clearance, HoldsAtEverySampledPoint) {
   constexpr int samples = 2000;
   int met = 0, missed = 0;
   for (int round = 0; round < 40; ++round) {
-    const World world = random_world(random, 8, round % 2 == 0);
+    std::optional<Ring> bounds;
+    if (round % 2 == 0) bounds = Ring{{-30, -30}, {30, -30}, {30, 30}, {-30, 30}};
+    const World world = test::star_world(random, 8, 0.2, 2.0, bounds);
     const ClearanceIndex index(world);
     const auto path = random_path(random);
     const double reach = random.uniform(0.5, 20.0);

@@ -7,37 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "hodograph/path/planar_curvature.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/star_worlds.hpp"
 
 namespace hodograph {
 namespace {
 
 using test::Random;
 using P = Vector2<double>;
-
-Polygon star(Random& random, const P& middle, double size) {
-  Ring ring;
-  const std::size_t count = 3 + random.index(8);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double angle =
-        2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
-    const double r = size * random.uniform(0.4, 1.0);
-    ring.push_back({middle.x + r * std::cos(angle), middle.y + r * std::sin(angle)});
-  }
-  return {std::move(ring), {}, ""};
-}
-
-World stars(Random& random, std::size_t count, double size) {
-  std::vector<Polygon> obstacles;
-  for (std::size_t k = 0; k < count; ++k) {
-    obstacles.push_back(star(random, {random.uniform(-10, 10), random.uniform(-10, 10)},
-                             size * random.uniform(0.3, 1.0)));
-  }
-  return World::create(std::move(obstacles)).value();
-}
 
 double distance(const P& p, const P& a, const P& b) {
   const P d = b - a;
@@ -72,7 +51,7 @@ TEST(Planner, KeepsItsLimitsInRandomWorlds) {
     limits.turn_radius = std::exp(random.uniform(-3.0, 1.0));
     limits.clearance = random.uniform(0.0, 0.4);
     limits.width = round % 3 == 0 ? 0.0 : random.uniform(0.0, 0.2);
-    const World world = stars(random, 14, 2.2);
+    const World world = test::star_world(random, 14, 0.6, 2.2);
     const auto planner = Planner::create(world, limits);
     ASSERT_TRUE(planner) << planner.fault().sentence;
     PlanRequest request;
