@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+// Constant climb: the length over ground from the angle, the plan of that length, and its lifting.
+#include "hodograph/construction/climb.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "hodograph/construction/lift.hpp"
+#include "hodograph/path/helix.hpp"
+
+namespace hodograph {
+namespace {
+
+constexpr double quarter_turn = 0.5 * std::numbers::pi;
+constexpr Quaternion<double> no_turn{1.0, 0.0, 0.0, 0.0};
+
+Fault angle_fault(double angle) {
+  if (!std::isfinite(angle)) {
+    return {FaultCode::not_finite, "the climb angle is not finite",
+            std::nullopt,          "climb_angle",
+            std::nullopt,          std::nullopt};
+  }
+  if (angle == 0.0) {
+    return {FaultCode::outside_domain,
+            "a climb angle of 0 is level flight, which leaves the length open; give the length "
+            "over ground instead",
+            std::nullopt,
+            "climb_angle",
+            0.0,
+            std::nullopt};
+  }
+  return {FaultCode::outside_domain,
+          "the climb angle must lie between -pi/2 and pi/2, in radians; got " + to_text(angle),
+          std::nullopt,
+          "climb_angle",
+          angle,
+          quarter_turn};
+}
+
+Fault wrong_way(double angle, double rise) {
+  const std::string asked = std::string(angle > 0.0 ? "climb" : "descent") + " angle " +
+                            to_text(angle) + " rad needs an end ";
+  return {FaultCode::no_interpolant,
+          asked + (angle > 0.0 ? "above" : "below") + " the start; its altitude changes by " +
+              to_text(rise),
+          std::nullopt,
+          "climb",
+          rise,
+          0.0};
+}
+
+/// The refusal of a plan in terms of the climb.
+Fault in_terms_of_climb(Fault fault, double rise, double ground_length) {
+  if (fault.code != FaultCode::no_interpolant || !fault.value || !fault.bound) return fault;
+  const double slope = std::abs(rise) / ground_length;
+  const std::string asked = std::string(rise > 0.0 ? "climb" : "descent") + " angle " +
+                            to_text(std::atan(rise / ground_length)) + " rad ";
+  const std::string what = rise > 0.0 ? " of climb" : " of descent";
+  const double climbed = std::abs(rise);
+  if (fault.quantity == "length") {
+    const double chord = *fault.bound;
+    fault.bound = chord * slope;
+    fault.sentence = asked + "needs at least " + to_text(*fault.bound) + what +
+                     " between points that are " + to_text(chord) + " apart over ground; got " +
+                     to_text(climbed);
+  } else if (fault.quantity == "direction") {
+    fault.bound = climbed;
+    fault.sentence = asked + "with " + to_text(climbed) + what +
+                     " is a straight line; a heading is off that line by " + to_text(*fault.value) +
+                     " rad. It needs more than " + to_text(climbed) + what;
+  } else {
+    return fault;
+  }
+  fault.quantity = "climb";
+  fault.value = climbed;
+  return fault;
+}
+
+Fault out_of_range() {
+  return {FaultCode::no_interpolant,
+          "the climb's numbers are too large, or the parameter step is too small for them, to be "
+          "computed with",
+          std::nullopt,
+          "range",
+          std::nullopt,
+          std::nullopt};
+}
+
+/// What a climb comes down to.
+struct Task {
+  DirectedPoint begin, end;
+  Vector3<double> start;
+  Quaternion<double> upright = no_turn;
+  double rise = 0.0, ground_length = 0.0;
+  bool by_angle = true;
+};
+
+std::optional<Fault> altitude_fault(const HeadedPoint& begin, const HeadedPoint& end) {
+  const double altitudes[] = {begin.position.z, end.position.z};
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!std::isfinite(altitudes[i])) {
+      return Fault{FaultCode::not_finite,
+                   "the altitude of point " + std::to_string(i) + " is not finite",
+                   i,
+                   "position",
+                   std::nullopt,
+                   std::nullopt};
+    }
+  }
+  return std::nullopt;
+}
+
+Task task_between(const HeadedPoint& begin, const HeadedPoint& end) {
+  return {{{begin.position.x, begin.position.y}, begin.heading},
+          {{end.position.x, end.position.y}, end.heading},
+          begin.position,
+          no_turn,
+          end.position.z - begin.position.z,
+          0.0,
+          true};
+}
+
+std::optional<Fault> set_angle(Task& task, double angle) {
+  if (!(std::abs(angle) < quarter_turn) || angle == 0.0) return angle_fault(angle);
+  if (task.rise == 0.0 || (task.rise > 0.0) != (angle > 0.0)) return wrong_way(angle, task.rise);
+  task.ground_length = task.rise / std::tan(angle);
+  if (!std::isfinite(task.ground_length)) return out_of_range();
+  return std::nullopt;
+}
+
+Result<Task> task_of_angle(const HeadedPoint& begin, const HeadedPoint& end, double angle) {
+  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
+  Task task = task_between(begin, end);
+  if (auto fault = set_angle(task, angle)) return *std::move(fault);
+  return task;
+}
+
+/// The slope of a plan that was made: over the length asked for, except that a straight line has
+/// its own.
+double slope_over(const Task& task, const PlanarPhCurve<2>& plan) {
+  const Vector2<double> chord = task.end.position - task.begin.position;
+  const double well_above = 1.0 + 2.0 * accuracy::join_error<double>();
+  const bool straight = task.ground_length <= well_above * std::hypot(chord.x, chord.y);
+  return task.rise / (straight ? plan.arc_length() : task.ground_length);
+}
+
+bool is_usable(const SpatialPhCurve<2>& curve) {
+  return is_finite(curve.end()) && is_finite(curve.arc_length()) && curve.arc_length() > 0.0;
+}
+
+Fault explained(Fault fault, const Task& task) {
+  return task.by_angle ? in_terms_of_climb(std::move(fault), task.rise, task.ground_length)
+                       : std::move(fault);
+}
+
+Result<ClimbCurve> solve(const Task& task, double h, LengthSolutions among) {
+  const auto plan = prescribed_length_curve(task.begin, task.end, task.ground_length, h, among);
+  if (!plan) return explained(plan.fault(), task);
+  const double slope = slope_over(task, plan->curve);
+  Result<ClimbCurve> result(std::in_place);
+  result->curve = lifted(plan->curve, task.start, slope, task.upright);
+  if (!is_usable(result->curve)) return out_of_range();
+  result->climb_angle = std::atan(slope);
+  result->ground_length = task.ground_length;
+  result->rotation_index = plan->rotation_index;
+  result->margin = plan->margin;
+  result->tie = plan->tie;
+  result->loop_free = plan->loop_free;
+  return result;
+}
+
+Result<std::vector<ClimbSolution>> solve_all(const Task& task, double h, LengthSolutions among) {
+  const auto plans =
+      prescribed_length_solutions(task.begin, task.end, task.ground_length, h, among);
+  if (!plans) return explained(plans.fault(), task);
+  std::vector<ClimbSolution> solutions;
+  for (const PlanarSolution& plan : *plans) {
+    solutions.push_back({lifted(plan.curve, task.start, slope_over(task, plan.curve), task.upright),
+                         plan.rotation_index});
+    if (!is_usable(solutions.back().curve)) return out_of_range();
+  }
+  return solutions;
+}
+
+Result<Task> task_about(const Vector3<double>& axis, const DirectedPoint3& begin,
+                        const DirectedPoint3& end) {
+  if (auto fault = path_detail::axis_fault(axis)) return *std::move(fault);
+  const DirectedPoint3* points[] = {&begin, &end};
+  Task task;
+  task.upright = turn_upright(axis);
+  Vector3<double> directions[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool place = is_finite(points[i]->position);
+    const char* what = place ? "direction" : "position";
+    if (!place || !is_finite(points[i]->direction)) {
+      return Fault{FaultCode::not_finite,
+                   std::string("the ") + what + " of point " + std::to_string(i) + " is not finite",
+                   i,
+                   what,
+                   std::nullopt,
+                   std::nullopt};
+    }
+    if (largest_component(points[i]->direction) == 0.0) {
+      return Fault{FaultCode::outside_domain,
+                   "the direction of point " + std::to_string(i) +
+                       " is zero; give it a vector with a length",
+                   i,
+                   what,
+                   0.0,
+                   std::nullopt};
+    }
+    directions[i] = sandwich(task.upright, unit_axis(points[i]->direction));
+    if (std::hypot(directions[i].x, directions[i].y) <= accuracy::join_error<double>()) {
+      return Fault{FaultCode::outside_domain,
+                   "the direction of point " + std::to_string(i) +
+                       " is along the helix axis; a helix has an angle with its axis",
+                   i,
+                   what,
+                   std::nullopt,
+                   std::nullopt};
+    }
+  }
+  if (std::abs(directions[0].z - directions[1].z) > accuracy::join_error<double>()) {
+    return Fault{FaultCode::no_interpolant,
+                 "the directions climb along the axis at " +
+                     to_text(std::asin(std::clamp(directions[0].z, -1.0, 1.0))) + " and " +
+                     to_text(std::asin(std::clamp(directions[1].z, -1.0, 1.0))) +
+                     " rad; on a helix both angles are equal",
+                 std::nullopt,
+                 "direction",
+                 std::abs(directions[0].z - directions[1].z),
+                 accuracy::join_error<double>()};
+  }
+  const double level =
+      std::hypot(directions[0].x, directions[0].y) + std::hypot(directions[1].x, directions[1].y);
+  const double up = directions[0].z + directions[1].z;
+  const Vector3<double> way = sandwich(task.upright, end.position - begin.position);
+  task.begin = {{0.0, 0.0}, {directions[0].x, directions[0].y}};
+  task.end = {{way.x, way.y}, {directions[1].x, directions[1].y}};
+  task.start = begin.position;
+  task.rise = way.z;
+  const double angle = std::atan2(up, level);
+  if (std::abs(up) <= accuracy::join_error<double>()) return angle_fault(0.0);
+  if (!(way.z * up > 0.0)) return wrong_way(angle, way.z);
+  task.ground_length = way.z * (level / up);
+  return task;
+}
+
+}  // namespace
+
+Result<ClimbCurve> climb_curve(const HeadedPoint& begin, const HeadedPoint& end, double climb_angle,
+                               double h, LengthSolutions among) {
+  const auto task = task_of_angle(begin, end, climb_angle);
+  if (!task) return task.fault();
+  return solve(*task, h, among);
+}
+
+Result<ClimbCurve> climb_curve_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
+                                                double ground_length, double h,
+                                                LengthSolutions among) {
+  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
+  Task task = task_between(begin, end);
+  task.ground_length = ground_length;
+  task.by_angle = false;
+  return solve(task, h, among);
+}
+
+Result<std::vector<ClimbSolution>> climb_solutions(const HeadedPoint& begin, const HeadedPoint& end,
+                                                   double climb_angle, double h,
+                                                   LengthSolutions among) {
+  const auto task = task_of_angle(begin, end, climb_angle);
+  if (!task) return task.fault();
+  return solve_all(*task, h, among);
+}
+
+Result<ClimbCurve> helical_curve(const Vector3<double>& axis, const DirectedPoint3& begin,
+                                 const DirectedPoint3& end, double h, LengthSolutions among) {
+  const auto task = task_about(axis, begin, end);
+  if (!task) return task.fault();
+  return solve(*task, h, among);
+}
+
+Result<std::vector<ClimbSolution>> helical_solutions(const Vector3<double>& axis,
+                                                     const DirectedPoint3& begin,
+                                                     const DirectedPoint3& end, double h,
+                                                     LengthSolutions among) {
+  const auto task = task_about(axis, begin, end);
+  if (!task) return task.fault();
+  return solve_all(*task, h, among);
+}
+
+std::optional<Fault> climb_curves(std::span<const ClimbProblem> problems,
+                                  std::span<ClimbAnswer> answers) {
+  constexpr std::size_t longest = 64;
+  std::array<PrescribedLengthProblem, longest> plans;
+  std::array<PlanarHermiteAnswer, longest> found;
+  const auto fault_of = [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {  // the first that has a fault of its own
+      const ClimbProblem& p = problems[i];
+      const auto alone = climb_curve(p.begin, p.end, p.climb_angle, p.step);
+      if (alone) continue;
+      Fault fault = alone.fault();
+      fault.index = i;
+      fault.sentence = "problem " + std::to_string(i) + ": " + fault.sentence;
+      return std::optional(std::move(fault));
+    }
+    return std::optional<Fault>();
+  };
+  for (std::size_t first = 0; first < problems.size(); first += longest) {
+    const std::size_t count = std::min(longest, problems.size() - first);
+    bool ordinary = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      const ClimbProblem& p = problems[first + i];
+      const double rise = p.end.position.z - p.begin.position.z;
+      const double length = rise / std::tan(p.climb_angle);
+      ordinary = ordinary && std::abs(p.climb_angle) < quarter_turn && std::isfinite(rise) &&
+                 length > 0.0 && std::isfinite(length);
+      plans[i] = {{{p.begin.position.x, p.begin.position.y}, p.begin.heading},
+                  {{p.end.position.x, p.end.position.y}, p.end.heading},
+                  length,
+                  p.step};
+    }
+    const std::span<const PrescribedLengthProblem> some(plans.data(), count);
+    if (!ordinary || prescribed_length_curves(some, std::span(found).first(count))) {
+      if (auto fault = fault_of(first, first + count)) return fault;
+      return out_of_range();
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const ClimbProblem& p = problems[first + i];
+      const Vector2<double> chord = plans[i].end.position - plans[i].begin.position;
+      const double well_above = 1.0 + 2.0 * accuracy::join_error<double>();
+      const double rise = p.end.position.z - p.begin.position.z;
+      double slope = rise / plans[i].length;
+      if (plans[i].length <= well_above * std::hypot(chord.x, chord.y)) {
+        const PlanarPhCurve<2> plan({}, BernsteinPolynomial<Complex<double>, 2>(found[i].preimage),
+                                    p.step);
+        slope = rise / plan.arc_length();
+      }
+      const Pitch pitch = Pitch::of_slope(slope);
+      ClimbAnswer& answer = answers[first + i];
+      for (std::size_t j = 0; j < 3; ++j) answer.preimage[j] = lifted(found[i].preimage[j], pitch);
+      answer.ground_length = plans[i].length;
+      answer.rotation_index = found[i].rotation_index;
+      answer.margin = found[i].margin;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace hodograph
