@@ -379,7 +379,7 @@ TEST(Climb, SaysWhatWouldBeFeasible) {
   }
   // S = |Δq| = 5, to rounding.
   const HeadedPoint far{{3.0, 4.0, 2.5}, {3.0, 4.0}};
-  const double chord_angle = 0.4646476090008061;
+  const double chord_angle = std::atan(0.5) * (1.0 + 4.0 * epsilon<double>());
   const auto straight = climb_curve({{0.0, 0.0, 0.0}, {1.0, 0.1}}, far, chord_angle);
   ASSERT_FALSE(straight);
   EXPECT_EQ(straight.fault().quantity, "climb");
