@@ -45,6 +45,59 @@ TEST(Deconfliction, DelaysTheSecondOfTwoThatCross) {
   EXPECT_EQ(same.effort.choices, 0u);
 }
 
+TEST(Deconfliction, LeavesOthersAsTheyAre) {
+  const Vehicle east = straight("east", {-1, 0}, {1, 0}),
+                north = straight("north", {0, -1}, {0, 1});
+  const Vehicle south = straight("south", {0, 1}, {0, -1});
+  SwarmGoal goal;
+  goal.clearance = 0.25;
+  const DelayMoves moves{.longest_delay = 1.0, .delays = 10};
+  // As above, but now it is the first that yields.
+  const std::vector<Vehicle> yielding{east};
+  const DelayedSwarm found =
+      deconflict_by_delays(yielding, goal, moves, std::vector{north}).value();
+  EXPECT_EQ(found.delays, std::vector{0.4});
+  ASSERT_EQ(found.vehicles.size(), 1u);
+  EXPECT_TRUE(all_apart(std::vector{found.vehicles[0], north}, goal));
+  // Two others that meet each other are not this search's business.
+  const std::vector<Vehicle> opposed{north, south};
+  ASSERT_FALSE(all_apart(opposed, goal));
+  const DelayedSwarm beside = deconflict_by_delays(yielding, goal, moves, opposed).value();
+  EXPECT_EQ(beside.delays, std::vector{0.4});
+  const Vehicle far = straight("far", {9, 9}, {9, 10});
+  EXPECT_EQ(deconflict_by_delays(std::vector{far}, goal, moves, opposed).value().effort.choices,
+            0u);
+  // Where it cannot be done, the other is named after the vehicles.
+  const auto stuck =
+      deconflict_by_delays(yielding, goal, {.longest_delay = 0.0, .delays = 0}, opposed);
+  ASSERT_FALSE(stuck);
+  EXPECT_EQ(stuck.fault().code, FaultCode::not_separated);
+  EXPECT_NE(stuck.fault().sentence.find("vehicle 1 (north)"), std::string::npos)
+      << stuck.fault().sentence;
+}
+
+TEST(Deconfliction, MakesPathsAroundThoseThatAreGiven) {
+  const Vehicle given = straight("given", {0.5, -0.625}, {0.5, 0.625});
+  const ArrivingVehicle vehicle{"a", {{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}};
+  SwarmGoal goal;
+  goal.clearance = 0.0625;
+  const ArrivalMoves moves{.departure = {.longest_delay = 0.4, .delays = 8}};
+  const std::vector<ArrivingVehicle> vehicles{vehicle};
+  const auto alone = deconflict_arrival(vehicles, 1.25, goal, moves).value();
+  EXPECT_EQ(alone.delays, std::vector{0.0});
+  ASSERT_FALSE(all_apart(std::vector{alone.plan.vehicles[0], given}, goal));
+  const auto beside = deconflict_arrival(vehicles, 1.25, goal, moves, std::vector{given});
+  ASSERT_TRUE(beside) << beside.fault().sentence;
+  EXPECT_EQ(beside->plan.vehicles.size(), 1u);
+  EXPECT_TRUE(all_apart(std::vector{beside->plan.vehicles[0], given}, goal));
+  // The least arrival that keeps away from it is later than without it.
+  const double free = least_separated_arrival(vehicles, goal).value().arrival;
+  const auto least = least_separated_arrival(vehicles, goal, {}, std::vector{given});
+  ASSERT_TRUE(least) << least.fault().sentence;
+  EXPECT_GT(least->arrival, free);
+  EXPECT_TRUE(all_apart(std::vector{least->vehicles[0], given}, goal));
+}
+
 TEST(Deconfliction, ProvesThatNothingHelps) {
   // Both change places and stand there before and after: no delay helps.
   const std::vector<Vehicle> head_on{straight("a", {0, 0}, {1, 0}), straight("b", {1, 0}, {0, 0}),

@@ -390,5 +390,33 @@ TEST(Separation, RefusesBadRequests) {
   EXPECT_EQ(wrong.fault().sentence, "the timing law covers a length of 2; the path is 1 long");
 }
 
+// A planar path at an altitude moves as the same path in space does.
+TEST(Separation, CountsAltitudes) {
+  Random random("planar paths at altitudes");
+  for (int i = 0; i < 40; ++i) {
+    const auto a = test::random_path<PlanarPath<2>>(random, 2);
+    const auto b = test::random_path<PlanarPath<2>>(random, 2);
+    const TimingLaw first = TimingLaw::constant_speed(a.arc_length(), 1.0).value();
+    const TimingLaw second = TimingLaw::constant_speed(b.arc_length(), 1.0).value();
+    const double height = random.uniform(-3, 3);
+    const SeparationGoal goal{};
+    const TimedMotion level = TimedMotion::create(a, first).value();
+    const TimedMotion flat = TimedMotion::create(b, second).value();
+    const TimedMotion above = TimedMotion::create(b, second, {}, height).value();
+    const Separation beside = least_separation(level, flat, goal).value();
+    const Separation over = least_separation(level, above, goal).value();
+    // √(d² + h²) of the least distance d in the plane, at the same time.
+    const Enclosure expected = sqrt(square(beside.distance) + square(Enclosure(height)));
+    EXPECT_LE(over.distance.lower(), expected.upper());
+    EXPECT_GE(over.distance.upper(), expected.lower());
+    EXPECT_EQ(above.position(0.5 * b.arc_length()).z, height);
+  }
+  const auto path = test::random_path<SpatialPath<2>>(random, 2);
+  const TimingLaw law = TimingLaw::constant_speed(path.arc_length(), 1.0).value();
+  EXPECT_EQ(TimedMotion::create(path, law, {}, 1.0).fault().code, FaultCode::unsupported);
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(TimedMotion::create(path, law, {}, infinity).fault().code, FaultCode::outside_domain);
+}
+
 }  // namespace
 }  // namespace hodograph

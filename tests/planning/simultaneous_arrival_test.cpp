@@ -224,5 +224,21 @@ TEST(SimultaneousArrival, IsAsEarlyAsSeparationAllows) {
   EXPECT_EQ(least_separated_arrival(vehicles, goal).fault().quantity, "clearance");
 }
 
+TEST(SimultaneousArrival, FliesAtAltitudes) {
+  std::vector<ArrivingVehicle> vehicles{{"low", {{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}},
+                                        {"high", {{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}}};
+  vehicles[0].altitude = 2.0;
+  vehicles[1].altitude = 2.375;
+  const SimultaneousArrival plan = arrival_at(vehicles, 1.125).value();
+  EXPECT_EQ(plan.vehicles[0].motion.position(0.5).z, 2.0);
+  EXPECT_EQ(plan.vehicles[1].motion.position(0.5).z, 2.375);
+  // They fly one above the other.
+  const auto found = least_separation(plan.vehicles[0].motion, plan.vehicles[1].motion).value();
+  EXPECT_LE(found.distance.lower(), 0.375);
+  EXPECT_GE(found.distance.upper(), 0.375);
+  vehicles[0].altitude = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(arrival_at(vehicles, 1.125).fault().quantity, "altitude");
+}
+
 }  // namespace
 }  // namespace hodograph

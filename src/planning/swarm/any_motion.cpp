@@ -6,8 +6,10 @@
 
 namespace hodograph {
 
-Result<TimedMotion> TimedMotion::create(const AnyPath& path, TimingLaw law, Presence presence) {
-  return path.visit([&](const auto& typed) { return create(typed, std::move(law), presence); });
+Result<TimedMotion> TimedMotion::create(const AnyPath& path, TimingLaw law, Presence presence,
+                                        double altitude) {
+  return path.visit(
+      [&](const auto& typed) { return create(typed, std::move(law), presence, altitude); });
 }
 
 }  // namespace hodograph

@@ -20,6 +20,10 @@ std::vector<double> arrival_times(std::span<const ArrivingVehicle> vehicles,
 /// The vehicle on its path, at constant speed.
 Result<Vehicle> flown(const ArrivingVehicle& vehicle, const ArrivingPath& path, double arrival);
 
+/// All of them in one list, the others last.
+std::vector<Vehicle> with_others(std::span<const Vehicle> vehicles,
+                                 std::span<const Vehicle> others);
+
 /// The pair of all that misses its required distance by most, in words: "vehicle 0 (a) and vehicle
 /// 2 (c) come within 0.1 at time 0.5; 0.2 is required"; and the numbers.
 Fault separation_fault(std::span<const Conflict> conflicts, std::span<const Vehicle> vehicles,

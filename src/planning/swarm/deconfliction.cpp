@@ -23,13 +23,15 @@ class ChoiceSearch {
  public:
   enum class Outcome { found, impossible, given_up };
 
-  ChoiceSearch(std::vector<Candidates> candidates, const SwarmGoal& goal)
+  /// The last `given` vehicles have one candidate each, and two of them are taken to go together.
+  ChoiceSearch(std::vector<Candidates> candidates, std::size_t given, const SwarmGoal& goal)
       : candidates_(std::move(candidates)), goal_(goal) {
     const std::size_t n = candidates_.size();
     known_.resize(n * n);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        known_[i * n + j].assign(candidates_[i].size() * candidates_[j].size(), unknown);
+        known_[i * n + j].assign(candidates_[i].size() * candidates_[j].size(),
+                                 j + given >= n ? apart : unknown);
       }
     }
   }
@@ -228,6 +230,17 @@ std::optional<Fault> moves_fault(const char* quantity, double value) {
                0.0};
 }
 
+/// The vehicles that stay as they are, each its only candidate; their names where they are not
+/// there yet.
+void add_others(std::span<const Vehicle> others, std::vector<Candidates>& candidates,
+                std::vector<std::string>& names) {
+  for (const Vehicle& other : others) {
+    const std::size_t number = candidates.size();
+    if (names.size() == number) names.push_back(name_of_vehicle(number, other.id));
+    candidates.push_back({other});
+  }
+}
+
 double delay_of(const DelayMoves& moves, std::size_t k) {
   if (k == 0) return 0.0;
   return moves.longest_delay * (static_cast<double>(k) / static_cast<double>(moves.delays));
@@ -236,10 +249,12 @@ double delay_of(const DelayMoves& moves, std::size_t k) {
 }  // namespace
 
 Result<DelayedSwarm> deconflict_by_delays(std::span<const Vehicle> vehicles, const SwarmGoal& goal,
-                                          const DelayMoves& moves) {
+                                          const DelayMoves& moves,
+                                          std::span<const Vehicle> others) {
   if (auto fault = moves_fault("longest_delay", moves.longest_delay)) return *std::move(fault);
-  const auto close = close_pairs(vehicles, goal);
+  auto close = close_pairs(planning_detail::with_others(vehicles, others), goal);
   if (!close) return close.fault();
+  std::erase_if(*close, [&](const ClosePair& pair) { return pair.first >= vehicles.size(); });
   DelayedSwarm result;
   result.delays.assign(vehicles.size(), 0.0);
   if (close->empty()) {
@@ -257,7 +272,8 @@ Result<DelayedSwarm> deconflict_by_delays(std::span<const Vehicle> vehicles, con
           {vehicles[i].id, vehicles[i].motion.delayed(delay), vehicles[i].radius});
     }
   }
-  ChoiceSearch search(std::move(candidates), goal);
+  add_others(others, candidates, names);
+  ChoiceSearch search(std::move(candidates), others.size(), goal);
   const auto outcome = search.run(moves.most_choices, result.effort);
   if (outcome != ChoiceSearch::Outcome::found) {
     return stuck(search, outcome, names, result.effort, "");
@@ -271,7 +287,8 @@ Result<DelayedSwarm> deconflict_by_delays(std::span<const Vehicle> vehicles, con
 
 Result<SeparatedArrival> deconflict_arrival(std::span<const ArrivingVehicle> vehicles,
                                             double arrival, const SwarmGoal& goal,
-                                            const ArrivalMoves& moves) {
+                                            const ArrivalMoves& moves,
+                                            std::span<const Vehicle> others) {
   if (auto fault = planning_detail::arriving_fault(vehicles)) return *std::move(fault);
   if (auto fault = moves_fault("longest_delay", moves.departure.longest_delay)) {
     return *std::move(fault);
@@ -322,9 +339,10 @@ Result<SeparatedArrival> deconflict_arrival(std::span<const ArrivingVehicle> veh
     }
     if (!complete) continue;
     std::vector<Vehicle> preferred;
+    add_others(others, candidates, names);
     for (const Candidates& list : candidates) preferred.push_back(list[0]);
     if (const auto checked = close_pairs(preferred, goal); !checked) return checked.fault();
-    ChoiceSearch search(std::move(candidates), goal);
+    ChoiceSearch search(std::move(candidates), others.size(), goal);
     const auto outcome = search.run(moves.departure.most_choices, effort);
     if (outcome != ChoiceSearch::Outcome::found) {
       last_fault = stuck(search, outcome, names, effort,

@@ -43,6 +43,14 @@ std::optional<Fault> vehicle_fault(const ArrivingVehicle& v) {
         std::nullopt,          "departure",
         v.departure,           std::nullopt};
   }
+  if (!std::isfinite(v.altitude)) {
+    return Fault{FaultCode::not_finite,
+                 "the altitude must be a finite number; got " + to_text(v.altitude),
+                 std::nullopt,
+                 "altitude",
+                 v.altitude,
+                 std::nullopt};
+  }
   return v.most_curvature ? unusable("curvature limit", *v.most_curvature, false) : std::nullopt;
 }
 
@@ -213,9 +221,16 @@ std::vector<double> arrival_times(std::span<const ArrivingVehicle> vehicles,
 Result<Vehicle> flown(const ArrivingVehicle& vehicle, const ArrivingPath& path, double arrival) {
   auto law = TimingLaw::between(path.path.arc_length(), path.departure, arrival);
   if (!law) return law.fault();
-  auto motion = TimedMotion::create(path.path, *std::move(law), vehicle.presence);
+  auto motion = TimedMotion::create(path.path, *std::move(law), vehicle.presence, vehicle.altitude);
   if (!motion) return motion.fault();
   return Vehicle{vehicle.id, *std::move(motion), vehicle.radius};
+}
+
+std::vector<Vehicle> with_others(std::span<const Vehicle> vehicles,
+                                 std::span<const Vehicle> others) {
+  std::vector<Vehicle> all(vehicles.begin(), vehicles.end());
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 Fault separation_fault(std::span<const Conflict> conflicts, std::span<const Vehicle> vehicles,
@@ -323,10 +338,12 @@ Result<SimultaneousArrival> least_arrival(std::span<const ArrivingVehicle> vehic
 
 Result<SimultaneousArrival> least_separated_arrival(std::span<const ArrivingVehicle> vehicles,
                                                     const SwarmGoal& goal,
-                                                    const ArrivalSearch& search) {
+                                                    const ArrivalSearch& search,
+                                                    std::span<const Vehicle> others) {
   if (auto fault = arriving_fault(vehicles)) return *std::move(fault);
   if (auto fault = search_fault(search)) return *std::move(fault);
   const std::vector<double> times = arrival_times(vehicles, search);
+  const std::size_t count = vehicles.size();
   std::optional<Fault> refused;             // the goal's own fault
   std::optional<SimultaneousArrival> best;  // the attempt with the fewest close pairs
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -334,11 +351,12 @@ Result<SimultaneousArrival> least_separated_arrival(std::span<const ArrivingVehi
       first_that_serves(times, search, [&](double time) -> std::optional<SimultaneousArrival> {
         auto result = assembled(vehicles, time);
         if (refused || !result) return std::nullopt;
-        const auto close = close_pairs(result->vehicles, goal);
+        auto close = close_pairs(with_others(result->vehicles, others), goal);
         if (!close) {
           refused = close.fault();
           return std::nullopt;
         }
+        std::erase_if(*close, [&](const ClosePair& pair) { return pair.first >= count; });
         if (close->empty()) return *std::move(result);
         if (close->size() < fewest) {
           fewest = close->size();
@@ -349,8 +367,10 @@ Result<SimultaneousArrival> least_separated_arrival(std::span<const ArrivingVehi
   if (refused) return *std::move(refused);
   if (found) return *std::move(found);
   if (!best) return no_arrival(vehicles, times);
-  const auto close = conflicts(best->vehicles, goal).value();
-  return separation_fault(close, best->vehicles,
+  const std::vector<Vehicle> all = with_others(best->vehicles, others);
+  auto close = conflicts(all, goal).value();
+  std::erase_if(close, [&](const Conflict& conflict) { return conflict.pair.first >= count; });
+  return separation_fault(close, all,
                           "no arrival between " + to_text(times.front()) + " and " +
                               to_text(times.back()) + " of " + std::to_string(times.size()) +
                               " looked at keeps all vehicles apart; arriving at " +

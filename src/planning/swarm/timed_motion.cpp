@@ -18,6 +18,19 @@ std::optional<Fault> TimedMotion::length_fault(const TimingLaw& law, double path
                path_length};
 }
 
+std::optional<Fault> TimedMotion::altitude_fault(double altitude, bool planar) {
+  if (std::isfinite(altitude) && (planar || altitude == 0.0)) return std::nullopt;
+  const bool finite = std::isfinite(altitude);
+  return Fault{finite ? FaultCode::unsupported : FaultCode::outside_domain,
+               finite ? "an altitude of " + to_text(altitude) +
+                            " is for a path in the plane; this one is in space and has its own"
+                      : "an altitude is a finite number; got " + to_text(altitude),
+               std::nullopt,
+               "altitude",
+               altitude,
+               std::nullopt};
+}
+
 Vector3<double> TimedMotion::position(double t) const {
   const double local = std::clamp(t - law_.start_time(), 0.0, law_.duration());
   const double s = law_.arc_length_within(law_.piece_at(local), local);

@@ -47,13 +47,16 @@ struct DelayedSwarm {
   DeconflictionEffort effort{};
 };
 
-/// Delays some of the vehicles, whatever their paths, so that all pairs keep the goal's distance.
-/// Faults: those of close_pairs; outside_domain (a delay that is negative or not finite);
-/// not_separated: no choice within the search does; the sentence says whether that is proven (all
-/// combinations ruled out) or the search gave up, and names a pair with its distance and the
-/// required one, of all candidates of a pair that are never apart if there is such a pair.
+/// Delays some of the vehicles, whatever their paths, so that all pairs keep the goal's distance,
+/// also from `others`, which stay as they are (pairs of two of them are not looked at). In
+/// sentences the others are counted on after the vehicles. Faults: those of close_pairs;
+/// outside_domain (a delay that is negative or not finite); not_separated: no choice within the
+/// search does; the sentence says whether that is proven (all combinations ruled out) or the search
+/// gave up, and names a pair with its distance and the required one, of all candidates of a pair
+/// that are never apart if there is such a pair.
 Result<DelayedSwarm> deconflict_by_delays(std::span<const Vehicle> vehicles, const SwarmGoal& goal,
-                                          const DelayMoves& moves);
+                                          const DelayMoves& moves,
+                                          std::span<const Vehicle> others = {});
 
 /// An arrival whose vehicles are certainly apart.
 struct SeparatedArrival {
@@ -64,10 +67,13 @@ struct SeparatedArrival {
 
 /// Keeps vehicles apart that arrive together: at `arrival` if that can be done by delays and
 /// solutions (a vehicle that leaves later gets a shorter path), else at the first later arrival at
-/// which it can. Faults: as above and those of arrival_at for the first arrival time (a vehicle
-/// without any path there, if it has none at the later ones, either).
+/// which it can. `others`, whose motions are given, stay as they are; the vehicles keep their
+/// distances from them, too (pairs of two of them are not looked at). In sentences the others are
+/// counted on after the vehicles. Faults: as above and those of arrival_at for the first arrival
+/// time (a vehicle without any path there, if it has none at the later ones, either).
 Result<SeparatedArrival> deconflict_arrival(std::span<const ArrivingVehicle> vehicles,
                                             double arrival, const SwarmGoal& goal,
-                                            const ArrivalMoves& moves);
+                                            const ArrivalMoves& moves,
+                                            std::span<const Vehicle> others = {});
 
 }  // namespace hodograph

@@ -27,6 +27,7 @@ struct ArrivingVehicle {
   double radius = 0.0;
   std::optional<double> most_curvature{};  ///< 1/(least turning radius), if it has one
   Presence presence{};
+  double altitude = 0.0;  ///< z of the plane it flies in
 };
 
 /// A vehicle's path.
@@ -76,12 +77,15 @@ struct ArrivalSearch {
 Result<SimultaneousArrival> least_arrival(std::span<const ArrivingVehicle> vehicles,
                                           const ArrivalSearch& search = {});
 
-/// The least at which all pairs keep their distances, too, certified for every instant. Faults: as
+/// The least at which all pairs keep their distances, too, certified for every instant, also from
+/// `others`, whose motions are given and stay (pairs of two of them are not looked at). In
+/// sentences and faults the others are counted on after the vehicles. Faults: as
 /// least_arrival; not_separated (none in the range, with the pair that comes closest to keeping its
 /// distance too little, the time and both numbers); those of close_pairs.
 Result<SimultaneousArrival> least_separated_arrival(std::span<const ArrivingVehicle> vehicles,
                                                     const SwarmGoal& goal,
-                                                    const ArrivalSearch& search = {});
+                                                    const ArrivalSearch& search = {},
+                                                    std::span<const Vehicle> others = {});
 
 /// The earliest arrival: max of departure + distance/speed. Domain: usable vehicles, at least one.
 double earliest_arrival(std::span<const ArrivingVehicle> vehicles);

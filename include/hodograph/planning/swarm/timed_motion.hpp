@@ -22,21 +22,27 @@ struct Presence {
   bool before_start = true, after_arrival = true;
 };
 
-/// r(s(t)) for a path of the plane (then z = 0) or of space, of any degree, and a law s(t). A
-/// value; copies share the path. What is certified of it holds for the exact path of the stored
-/// numbers by its exact arc length (see path/bounds.hpp), and the law as its pieces define it.
+/// r(s(t)) for a path of the plane (at one altitude z, 0 by default) or of space, of any degree,
+/// and a law s(t). A value; copies share the path. What is certified of it holds for the exact path
+/// of the stored numbers by its exact arc length (see path/bounds.hpp), and the law as its pieces
+/// define it.
 class TimedMotion {
  public:
+  /// A path of the plane is flown at z = `altitude`, exactly.
   /// Faults: outside_domain (a law of another length than the path's, beyond accuracy::join_error;
-  /// both numbers).
+  /// both numbers; an altitude that is not finite); unsupported (an altitude with a path of space).
   template <class A, std::size_t n>
-  static Result<TimedMotion> create(Path<A, n> path, TimingLaw law, Presence presence = {}) {
+  static Result<TimedMotion> create(Path<A, n> path, TimingLaw law, Presence presence = {},
+                                    double altitude = 0.0) {
     if (auto fault = length_fault(law, path.arc_length())) return *std::move(fault);
-    return TimedMotion(std::make_shared<const planning_detail::PlacesOf<A, n>>(std::move(path)),
-                       std::move(law), presence);
+    if (auto fault = altitude_fault(altitude, A::dimension == 2)) return *std::move(fault);
+    return TimedMotion(
+        std::make_shared<const planning_detail::PlacesOf<A, n>>(std::move(path), altitude),
+        std::move(law), presence);
   }
   /// The same for a path whose type is known only when the program runs.
-  static Result<TimedMotion> create(const AnyPath& path, TimingLaw law, Presence presence = {});
+  static Result<TimedMotion> create(const AnyPath& path, TimingLaw law, Presence presence = {},
+                                    double altitude = 0.0);
 
   const TimingLaw& law() const { return law_; }
   const Presence& presence() const { return presence_; }
@@ -60,6 +66,7 @@ class TimedMotion {
               Presence presence)
       : places_(std::move(places)), law_(std::move(law)), presence_(presence) {}
   static std::optional<Fault> length_fault(const TimingLaw& law, double path_length);
+  static std::optional<Fault> altitude_fault(double altitude, bool planar);
 
   std::shared_ptr<const planning_detail::PathPlaces> places_;
   TimingLaw law_;

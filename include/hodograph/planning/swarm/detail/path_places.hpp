@@ -18,7 +18,7 @@
 
 namespace hodograph::planning_detail {
 
-/// A point of a path. Points of the plane have z = 0.
+/// A point of a path. Points of the plane have the altitude they are flown at, z.
 struct Place {
   Vector3<double> point{};
   double error = 0.0;       ///< a bound of the distance from the exact path's point at arc_length
@@ -95,9 +95,11 @@ class PathPlaces {
   bool planar_ = false;
 };
 
-/// A vector of the plane or of space, in space.
-inline Vector3<double> in_space(const Vector2<double>& v) { return {v.x, v.y, 0.0}; }
-inline const Vector3<double>& in_space(const Vector3<double>& v) { return v; }
+/// A point of the plane at an altitude, or of space.
+inline Vector3<double> in_space(const Vector2<double>& v, double altitude) {
+  return {v.x, v.y, altitude};
+}
+inline const Vector3<double>& in_space(const Vector3<double>& v, double) { return v; }
 
 /// The places of a path of static type.
 ///
@@ -113,13 +115,14 @@ inline const Vector3<double>& in_space(const Vector3<double>& v) { return v; }
 template <class A, std::size_t n>
 class PlacesOf final : public PathPlaces {
  public:
-  explicit PlacesOf(Path<A, n> path) : path_(std::move(path)) {
+  /// The altitude is of a path in the plane; 0 in space.
+  PlacesOf(Path<A, n> path, double altitude) : path_(std::move(path)), altitude_(altitude) {
     constexpr double eps = std::numeric_limits<double>::epsilon();
     constexpr std::size_t few = 16;  // parts of a short path
     planar_ = A::dimension == 2;
     const std::size_t count = path_.segment_count();
     parts_ = curvature_parts(path_, std::max<std::size_t>(1, (few + count - 1) / count));
-    double size = 0.0, coordinate = 0.0;
+    double size = 0.0, coordinate = std::abs(altitude);
     cubic_.reserve(count);
     joins_.reserve(count);
     Join sum{0.0, 0.0};
@@ -149,7 +152,7 @@ class PlacesOf final : public PathPlaces {
   }
   std::size_t segment_count() const override { return path_.segment_count(); }
   Vector3<double> start_of(std::size_t k) const override {
-    return in_space(path_.segment(k).start());
+    return in_space(path_.segment(k).start(), altitude_);
   }
 
   Place at(double s) const override {
@@ -239,12 +242,12 @@ class PlacesOf final : public PathPlaces {
         const auto second = hodograph_form(at.preimage, at.preimage_rate);
         const auto point =
             curve.start() + (at.integral.displacement + (h * du) * (first + du * second));
-        return {in_space(point), rounding_ + doubt, s,
-                u + du,          reciprocal / h,    static_cast<std::uint32_t>(k)};
+        return {in_space(point, altitude_),   rounding_ + doubt, s, u + du, reciprocal / h,
+                static_cast<std::uint32_t>(k)};
       }
       // A point of zero speed, or too many steps: the point itself, off by what is left.
       if (std::abs(rest) <= rounding_ || step >= most_steps) {
-        return {in_space(curve.start() + at.integral.displacement),
+        return {in_space(curve.start() + at.integral.displacement, altitude_),
                 rounding_ + std::abs(rest),
                 s,
                 u,
@@ -258,6 +261,7 @@ class PlacesOf final : public PathPlaces {
   }
 
   Path<A, n> path_;
+  double altitude_;
   std::vector<double> cubic_;  // h C/3
 };
 
