@@ -93,6 +93,7 @@ TEST(Deconfliction, MakesPathsAroundThoseThatAreGiven) {
   // The least arrival that keeps away from it is later than without it.
   const double free = least_separated_arrival(vehicles, goal).value().arrival;
   const Vehicle meets = straight("meets", {0.25, -0.25}, {0.25, 0.25}, {false, false});
+  goal.clearance = 0.0078125;
   const auto least = least_separated_arrival(vehicles, goal, {}, std::vector{meets});
   ASSERT_TRUE(least) << least.fault().sentence;
   EXPECT_GT(least->arrival, free);
