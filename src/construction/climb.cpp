@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "hodograph/construction/detail/length_choice.hpp"
 #include "hodograph/construction/lift.hpp"
 #include "hodograph/path/helix.hpp"
 
@@ -130,20 +131,30 @@ std::optional<Fault> set_angle(Task& task, double angle) {
   return std::nullopt;
 }
 
-Result<Task> task_of_angle(const HeadedPoint& begin, const HeadedPoint& end, double angle) {
-  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
-  Task task = task_between(begin, end);
-  if (auto fault = set_angle(task, angle)) return *std::move(fault);
-  return task;
+std::optional<Fault> task_of_angle(const HeadedPoint& begin, const HeadedPoint& end, double angle,
+                                   Task& task) {
+  if (auto fault = altitude_fault(begin, end)) return fault;
+  task = task_between(begin, end);
+  return set_angle(task, angle);
 }
+
+/// Whether a length is that of the straight line between the points, up to rounding.
+bool is_straight(const Vector2<double>& chord, double length) {
+  constexpr double well_above = 1.0 + 2.0 * accuracy::join_error<double>();
+  constexpr double most = 0x1.0p+400;
+  if (length < most && length * most > 1.0) {  // squares keep their digits
+    return length * length <= well_above * well_above * dot(chord, chord);
+  }
+  return length <= well_above * std::hypot(chord.x, chord.y);
+}
+
+using PlanPreimage = BernsteinPolynomial<Complex<double>, 2>;
 
 /// The slope of a plan that was made: over the length asked for, except that a straight line has
 /// its own.
-double slope_over(const Task& task, const PlanarPhCurve<2>& plan) {
-  const Vector2<double> chord = task.end.position - task.begin.position;
-  const double well_above = 1.0 + 2.0 * accuracy::join_error<double>();
-  const bool straight = task.ground_length <= well_above * std::hypot(chord.x, chord.y);
-  return task.rise / (straight ? plan.arc_length() : task.ground_length);
+double slope_over(const Task& task, const PlanPreimage& plan, double h) {
+  const bool straight = is_straight(task.end.position - task.begin.position, task.ground_length);
+  return task.rise / (straight ? PlanarPhCurve<2>({}, plan, h).arc_length() : task.ground_length);
 }
 
 bool is_usable(const SpatialPhCurve<2>& curve) {
@@ -156,18 +167,22 @@ Fault explained(Fault fault, const Task& task) {
 }
 
 Result<ClimbCurve> solve(const Task& task, double h, LengthSolutions among) {
-  const auto plan = prescribed_length_curve(task.begin, task.end, task.ground_length, h, among);
-  if (!plan) return explained(plan.fault(), task);
-  const double slope = slope_over(task, plan->curve);
+  planar_detail::LengthChoice choice;
+  if (auto fault = planar_detail::choose_length(task.begin, task.end, task.ground_length, h, among,
+                                                choice)) {
+    return explained(*std::move(fault), task);
+  }
+  const PlanPreimage plan(choice.preimage);
+  const double slope = slope_over(task, plan, h);
   Result<ClimbCurve> result(std::in_place);
-  result->curve = lifted(plan->curve, task.start, slope, task.upright);
+  result->curve = {task.start, lifted(plan, slope, task.upright), h};
   if (!is_usable(result->curve)) return out_of_range();
   result->climb_angle = std::atan(slope);
   result->ground_length = task.ground_length;
-  result->rotation_index = plan->rotation_index;
-  result->margin = plan->margin;
-  result->tie = plan->tie;
-  result->loop_free = plan->loop_free;
+  result->rotation_index = choice.rotation_index;
+  result->margin = choice.margin;
+  result->tie = choice.tie;
+  result->loop_free = choice.loop_free;
   return result;
 }
 
@@ -177,8 +192,9 @@ Result<std::vector<ClimbSolution>> solve_all(const Task& task, double h, LengthS
   if (!plans) return explained(plans.fault(), task);
   std::vector<ClimbSolution> solutions;
   for (const PlanarSolution& plan : *plans) {
-    solutions.push_back({lifted(plan.curve, task.start, slope_over(task, plan.curve), task.upright),
-                         plan.rotation_index});
+    solutions.push_back(
+        {lifted(plan.curve, task.start, slope_over(task, plan.curve.preimage(), h), task.upright),
+         plan.rotation_index});
     if (!is_usable(solutions.back().curve)) return out_of_range();
   }
   return solutions;
@@ -252,9 +268,9 @@ Result<Task> task_about(const Vector3<double>& axis, const DirectedPoint3& begin
 
 Result<ClimbCurve> climb_curve(const HeadedPoint& begin, const HeadedPoint& end, double climb_angle,
                                double h, LengthSolutions among) {
-  const auto task = task_of_angle(begin, end, climb_angle);
-  if (!task) return task.fault();
-  return solve(*task, h, among);
+  Task task;
+  if (auto fault = task_of_angle(begin, end, climb_angle, task)) return *std::move(fault);
+  return solve(task, h, among);
 }
 
 Result<ClimbCurve> climb_curve_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
@@ -270,9 +286,9 @@ Result<ClimbCurve> climb_curve_of_ground_length(const HeadedPoint& begin, const 
 Result<std::vector<ClimbSolution>> climb_solutions(const HeadedPoint& begin, const HeadedPoint& end,
                                                    double climb_angle, double h,
                                                    LengthSolutions among) {
-  const auto task = task_of_angle(begin, end, climb_angle);
-  if (!task) return task.fault();
-  return solve_all(*task, h, among);
+  Task task;
+  if (auto fault = task_of_angle(begin, end, climb_angle, task)) return *std::move(fault);
+  return solve_all(task, h, among);
 }
 
 Result<ClimbCurve> helical_curve(const Vector3<double>& axis, const DirectedPoint3& begin,
@@ -330,13 +346,10 @@ std::optional<Fault> climb_curves(std::span<const ClimbProblem> problems,
     for (std::size_t i = 0; i < count; ++i) {
       const ClimbProblem& p = problems[first + i];
       const Vector2<double> chord = plans[i].end.position - plans[i].begin.position;
-      const double well_above = 1.0 + 2.0 * accuracy::join_error<double>();
       const double rise = p.end.position.z - p.begin.position.z;
       double slope = rise / plans[i].length;
-      if (plans[i].length <= well_above * std::hypot(chord.x, chord.y)) {
-        const PlanarPhCurve<2> plan({}, BernsteinPolynomial<Complex<double>, 2>(found[i].preimage),
-                                    p.step);
-        slope = rise / plan.arc_length();
+      if (is_straight(chord, plans[i].length)) {
+        slope = rise / PlanarPhCurve<2>({}, PlanPreimage(found[i].preimage), p.step).arc_length();
       }
       const Pitch pitch = Pitch::of_slope(slope);
       ClimbAnswer& answer = answers[first + i];

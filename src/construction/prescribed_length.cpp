@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hodograph/construction/detail/length_choice.hpp"
 #include "hodograph/construction/detail/planar_solution.hpp"
 #include "hodograph/construction/detail/prescribed_length_kernel.hpp"
 
@@ -239,21 +240,18 @@ bool is_usable(const PlanarPhCurve<2>& curve) {
 }  // namespace
 }  // namespace planar_detail
 
-Vector2<double> direction_of_angle(double theta) { return {std::cos(theta), std::sin(theta)}; }
+namespace planar_detail {
 
-Result<PrescribedLength> prescribed_length_curve(const DirectedPoint& begin,
-                                                 const DirectedPoint& end, double length, double h,
-                                                 LengthSolutions among) {
-  using namespace planar_detail;
+std::optional<Fault> choose_length(const DirectedPoint& begin, const DirectedPoint& end,
+                                   double length, double h, LengthSolutions among,
+                                   LengthChoice& choice) {
   Canonical data;
-  if (auto fault = prepare(begin, end, length, h, data)) return *std::move(fault);
+  if (auto fault = prepare(begin, end, length, h, data)) return fault;
   const double root = std::sqrt(h);
-  PrescribedLength result;
   if (data.straight) {
-    result.curve = curve_of(begin, placed(data, straight_line(data), root), h);
-    result.margin = std::numeric_limits<double>::infinity();
-    if (!is_usable(result.curve)) return planar_range_fault(0);
-    return result;
+    choice.preimage = placed(data, straight_line(data), root);
+    choice.margin = std::numeric_limits<double>::infinity();
+    return std::nullopt;
   }
   Roots roots;
   solve_pair(data, data.e, 0, roots);
@@ -274,22 +272,42 @@ Result<PrescribedLength> prescribed_length_curve(const DirectedPoint& begin,
     if (count == 2) {
       const auto ranking = rank<2>(roots);
       best = ranking.order[0];
-      result.tie = ranking.tie;
+      choice.tie = ranking.tie;
     } else {
       const auto ranking = rank<4>(roots);
       best = ranking.order[0];
-      result.tie = ranking.tie;
+      choice.tie = ranking.tie;
     }
     if (best != least) next = roots.turns[least];
   }
-  result.curve = curve_of(begin, placed(data, roots.preimages[best], root), h);
-  if (!is_usable(result.curve)) return planar_range_fault(0);
-  const double turn = roots.turns[best], unavoidable = roots.unavoidable;
-  result.rotation_index = 2.0 * turn;
-  result.margin = std::max(0.0, 2.0 * (next - turn));
-  result.unavoidable_rotation = 2.0 * unavoidable;
+  choice.preimage = placed(data, roots.preimages[best], root);
+  const double turn = roots.turns[best];
+  choice.rotation_index = 2.0 * turn;
+  choice.margin = std::max(0.0, 2.0 * (next - turn));
+  choice.unavoidable_rotation = 2.0 * roots.unavoidable;
   constexpr double half_turn = path_detail::pi;
-  result.loop_free = 2.0 * (turn - unavoidable) < half_turn;
+  choice.loop_free = 2.0 * (turn - roots.unavoidable) < half_turn;
+  return std::nullopt;
+}
+
+}  // namespace planar_detail
+
+Vector2<double> direction_of_angle(double theta) { return {std::cos(theta), std::sin(theta)}; }
+
+Result<PrescribedLength> prescribed_length_curve(const DirectedPoint& begin,
+                                                 const DirectedPoint& end, double length, double h,
+                                                 LengthSolutions among) {
+  using namespace planar_detail;
+  LengthChoice choice;
+  if (auto fault = choose_length(begin, end, length, h, among, choice)) return *std::move(fault);
+  PrescribedLength result;
+  result.curve = curve_of(begin, choice.preimage, h);
+  if (!is_usable(result.curve)) return planar_range_fault(0);
+  result.rotation_index = choice.rotation_index;
+  result.margin = choice.margin;
+  result.tie = choice.tie;
+  result.unavoidable_rotation = choice.unavoidable_rotation;
+  result.loop_free = choice.loop_free;
   return result;
 }
 

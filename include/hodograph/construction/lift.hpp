@@ -25,7 +25,9 @@ struct Pitch {
   double c = 1.0, d = 0.0;
 
   static Pitch of_slope(double slope) {
-    const double c = std::sqrt(0.5 * (1.0 + std::hypot(1.0, slope)));
+    constexpr double steep = 0x1.0p+60;  // from where on √(1 + m²) = |m|
+    const double size = std::abs(slope);
+    const double c = std::sqrt(0.5 * (1.0 + (size < steep ? std::sqrt(1.0 + size * size) : size)));
     return {c, -0.5 * slope / c};
   }
 };
@@ -35,21 +37,29 @@ inline Quaternion<double> lifted(const Complex<double>& w, const Pitch& pitch) {
   return {w.re * pitch.c, -(w.im * pitch.d), w.re * pitch.d, w.im * pitch.c};
 }
 
+/// The preimage U* (a + b k)(c + d j) of the curve above a plan, with U = `upright`; see
+/// turn_upright. Domain of the slope as above.
+template <std::size_t n>
+BernsteinPolynomial<Quaternion<double>, n> lifted(
+    const BernsteinPolynomial<Complex<double>, n>& plan, double slope,
+    const Quaternion<double>& upright = {1.0, 0.0, 0.0, 0.0}) {
+  const Pitch pitch = Pitch::of_slope(slope);
+  BernsteinPolynomial<Quaternion<double>, n> preimage;
+  for (std::size_t i = 0; i <= n; ++i) preimage[i] = lifted(plan[i], pitch);
+  if (upright == Quaternion<double>{1.0, 0.0, 0.0, 0.0}) return preimage;
+  for (std::size_t i = 0; i <= n; ++i) preimage[i] = conjugate(upright) * preimage[i];
+  return preimage;
+}
+
 /// The curve above a plan with the given slope = tan θ, from `start` on (whose x and y may differ
-/// from the plan's: it is the shape that is lifted). With `upright` = U, turn_upright(axis), the
-/// plan is one of the frame in which the axis is vertical, and the preimage U* A.
+/// from the plan's: it is the shape that is lifted). With `upright` = U the plan is one of the
+/// frame in which the axis is vertical.
 /// Exact up to rounding: length sec θ times the plan's, curvature cos² θ, torsion sin θ cos θ times
 /// the plan's signed curvature.
 template <std::size_t n>
 SpatialPhCurve<n> lifted(const PlanarPhCurve<n>& plan, const Vector3<double>& start, double slope,
                          const Quaternion<double>& upright = {1.0, 0.0, 0.0, 0.0}) {
-  const Pitch pitch = Pitch::of_slope(slope);
-  const Quaternion<double> back = conjugate(upright);
-  const bool vertical = upright == Quaternion<double>{1.0, 0.0, 0.0, 0.0};
-  return {start, plan.preimage().mapped([&](const Complex<double>& w) {
-            return vertical ? lifted(w, pitch) : back * lifted(w, pitch);
-          }),
-          plan.parameter_step()};
+  return {start, lifted(plan.preimage(), slope, upright), plan.parameter_step()};
 }
 
 /// The path above a plan, on its knots, from an altitude on, with one slope for every segment. C0,
