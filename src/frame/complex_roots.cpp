@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "frame/complex_roots.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hodograph::frame_detail {
+
+std::optional<std::vector<std::complex<double>>> complex_roots(
+    std::vector<std::complex<double>> a) {
+  using Number = std::complex<double>;
+  double largest = 0.0;
+  for (const Number& c : a) {
+    if (!std::isfinite(c.real()) || !std::isfinite(c.imag())) return std::nullopt;
+    largest = std::max(largest, std::abs(c));
+  }
+  std::vector<Number> roots;
+  while (!a.empty() && std::abs(a.back()) == 0.0) a.pop_back();
+  if (a.empty()) return std::nullopt;
+  std::size_t zeros = 0;
+  while (std::abs(a[zeros]) == 0.0) ++zeros;
+  a.erase(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(zeros));
+  const std::size_t n = a.size() - 1;
+  if (n == 0) return std::vector<Number>(zeros);
+
+  // Guesses on the circle whose radius is the geometric mean of the roots.
+  const double radius =
+      std::pow(std::abs(a.front()) / std::abs(a.back()), 1.0 / static_cast<double>(n));
+  if (!std::isfinite(radius) || !(radius > 0.0)) return std::nullopt;
+  constexpr double offset = 0.7;  // no guess on an axis of symmetry
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle =
+        (2.0 * std::numbers::pi * static_cast<double>(i) + offset) / static_cast<double>(n);
+    roots.push_back(std::polar(radius, angle));
+  }
+  constexpr int most_steps = 120;
+  std::vector<bool> settled(n, false);
+  std::size_t open = n;
+  for (int step = 0; step < most_steps && open > 0; ++step) {
+    for (std::size_t i = 0; i < n; ++i) {
+      if (settled[i]) continue;
+      const Number z = roots[i];
+      const double r = std::abs(z);
+      Number value = 0.0, slope = 0.0;
+      double size = 0.0;
+      for (std::size_t k = n + 1; k-- > 0;) {
+        slope = slope * z + value;
+        value = value * z + a[k];
+        size = size * r + std::abs(a[k]);
+      }
+      if (!std::isfinite(size)) return std::nullopt;
+      // The value is rounding: nothing better can be found.
+      if (std::abs(value) <= 2.0 * epsilon<double>() * size) {
+        settled[i] = true;
+        --open;
+        continue;
+      }
+      Number others = 0.0;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (j != i && roots[j] != z) others += 1.0 / (z - roots[j]);
+      }
+      const Number change = value / (slope - value * others);
+      if (!std::isfinite(change.real()) || !std::isfinite(change.imag())) return std::nullopt;
+      roots[i] = z - change;
+      if (std::abs(change) <= 0.5 * epsilon<double>() * r) {
+        settled[i] = true;
+        --open;
+      }
+    }
+  }
+  if (open > 0) return std::nullopt;
+  roots.insert(roots.end(), zeros, Number(0.0));
+  return roots;
+}
+
+}  // namespace hodograph::frame_detail
