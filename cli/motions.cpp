@@ -42,23 +42,24 @@ TimedMotion motion_of(const AnyPath& path, const Flight& flight) {
            "acceleration");
   }
   const double length = path.arc_length(), speed = flight.speed.value_or(1.0);
+  const double altitude = flight.altitude.value_or(0.0);
   if (flight.arrival) {
     return TimedMotion::create(
                path, TimingLaw::between(length, flight.departure, *flight.arrival).value(),
-               flight.presence)
+               flight.presence, altitude)
         .value();
   }
   if (!flight.acceleration) {
     return TimedMotion::create(path,
                                TimingLaw::constant_speed(length, speed, flight.departure).value(),
-                               flight.presence)
+                               flight.presence, altitude)
         .value();
   }
   const TrapezoidalSpeed limits{speed, *flight.acceleration,
                                 flight.deceleration.value_or(*flight.acceleration)};
   TimedMotion motion =
       TimedMotion::create(path, TimingLaw::trapezoidal(length, limits, flight.departure).value(),
-                          flight.presence)
+                          flight.presence, altitude)
           .value();
   if (!flight.lateral_acceleration) return motion;
   LateralLimit limit;
@@ -67,7 +68,7 @@ TimedMotion motion_of(const AnyPath& path, const Flight& flight) {
   return TimedMotion::create(
              path,
              curvature_limited_timing(motion.places().parts(), limit, flight.departure).value(),
-             flight.presence)
+             flight.presence, altitude)
       .value();
 }
 
@@ -85,6 +86,7 @@ Flight flight_of(Members& members) {
   flight.lateral_acceleration = members.maybe_number("lateral_acceleration");
   flight.presence = presence_of(members.word(
       "stands", {std::begin(standing_words), std::end(standing_words)}, standing_words[0]));
+  flight.altitude = members.maybe_number("altitude");
   return flight;
 }
 

@@ -27,6 +27,7 @@ struct Flight {
   /// Slower in bends, so that the lateral acceleration stays below this.
   std::optional<double> lateral_acceleration{};
   Presence presence{};
+  std::optional<double> altitude{};  ///< z of a path in the plane; 0 where it is not given
 };
 
 /// The path in time. Throws Error: malformed_document (members that exclude each other), and the
@@ -34,7 +35,7 @@ struct Flight {
 TimedMotion motion_of(const AnyPath& path, const Flight& flight);
 
 /// The members `departure`, `speed`, `arrival`, `acceleration`, `deceleration`,
-/// `lateral_acceleration` and `stands` of an object.
+/// `lateral_acceleration`, `stands` and `altitude` of an object.
 Flight flight_of(Members& members);
 
 /// Whether a vehicle stands before it starts and after it has arrived, by one of these words.
