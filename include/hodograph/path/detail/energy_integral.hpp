@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The integral of κ² along a planar PH curve by Gauss-Legendre quadrature on pieces chosen by the
+// The integral of κ² along a PH curve by Gauss-Legendre quadrature on pieces chosen by the
 // distance of the integrand's poles: in doubles, or in enclosures with a bound of the remainder.
 #pragma once
 
@@ -49,10 +49,37 @@ inline double upper_size(const Complex<Enclosure>& z) {
 inline double lower_size(const Complex<Enclosure>& z) {
   return sqrt(square(z.re) + square(z.im)).lower();
 }
+/// Of quaternions and vectors.
+template <class V>
+  requires(V::dimension > 1 && std::same_as<typename V::Scalar, double>)
+double upper_size(const V& v) {
+  return std::sqrt(dot(v, v));
+}
+template <class V>
+  requires(V::dimension > 1 && std::same_as<typename V::Scalar, Enclosure>)
+double upper_size(const V& v) {
+  Enclosure sum(0.0);
+  for (std::size_t j = 0; j < V::dimension; ++j) sum += square(v[j]);
+  return sqrt(sum).upper();
+}
+inline double lower_size(const Quaternion<double>& a) { return std::sqrt(dot(a, a)); }
+inline double lower_size(const Quaternion<Enclosure>& a) {
+  return sqrt((square(a.w) + square(a.x)) + (square(a.y) + square(a.z))).lower();
+}
 inline double upper_size(double x) { return std::abs(x); }
 inline double upper_size(const Enclosure& x) { return x.magnitude(); }
 
-/// ∫₀¹ τ²/σ³ du, where τ and σ belong to a preimage w whose largest component lies between 1/2
+/// What bends the curve: τ of turning_polynomial in the plane, (v₂, v₃) in space.
+template <class S, std::size_t n>
+auto bending_polynomial(const BernsteinPolynomial<Complex<S>, n>& w) {
+  return turning_polynomial(w);
+}
+template <class S, std::size_t n>
+auto bending_polynomial(const BernsteinPolynomial<Quaternion<S>, n>& a) {
+  return turning_polynomial(a).mapped([](const Vector3<S>& v) { return Vector2<S>{v.y, v.z}; });
+}
+
+/// ∫₀¹ |τ|²/σ³ du, where τ and σ belong to a preimage w whose largest component lies between 1/2
 /// and 1.
 ///
 /// On a piece with middle c and half length r, let x be the parameter in [-1, 1]. In the disc |x| ≤
@@ -62,15 +89,19 @@ inline double upper_size(const Enclosure& x) { return x.magnitude(); }
 /// Chebyshev coefficient is at most 2 M ρ^-k; the rule with N nodes is exact for k < 2N and, like
 /// the integral, at most 2 in size for every other Chebyshev polynomial, 0 for odd k. Hence the
 /// remainder is at most Σ_{k = 2N, 2N+2, ...} 8 M ρ^-k = 8 M ρ^-2N/(1 - ρ^-2).
-template <class S, std::size_t n>
+///
+/// In space σ = A·A (continued to complex x) with A = A(c) + δ, |δ| ≤ Σ_{k>0} |A_k| R^k = e, so
+/// that |σ| ≥ |A(c)|² - 2 |A(c)| e - e² = m², and |τ·τ| ≤ (Σ |τ_k| R^k)² as before.
+template <class A, std::size_t n>
   requires(n > 0)
 class EnergyIntegral {
  public:
-  using Preimage = BernsteinPolynomial<Complex<S>, n>;
-  using Turning = BernsteinPolynomial<S, turning_degree(n)>;
+  using S = typename A::Scalar;
+  using Preimage = BernsteinPolynomial<A, n>;
+  using Turning = decltype(bending_polynomial(Preimage{}));
 
   explicit EnergyIntegral(const Preimage& preimage)
-      : preimage_(preimage), turning_(turning_polynomial(preimage)) {}
+      : preimage_(preimage), turning_(bending_polynomial(preimage)) {}
 
   /// Nothing where w comes so close to zero that the integral may be infinite.
   std::optional<S> value() const {
@@ -78,7 +109,7 @@ class EnergyIntegral {
       double a, b;
     };
     if (std::all_of(turning_.coefficients().begin(), turning_.coefficients().end(),
-                    [](const S& c) { return upper_size(c) == 0.0; })) {
+                    [](const auto& c) { return upper_size(c) == 0.0; })) {
       return S(0.0);
     }
     constexpr std::size_t deepest = 60;
@@ -152,7 +183,7 @@ class EnergyIntegral {
       double reach = 0.0, top = 0.0;
       for (std::size_t k = n; k > 0; --k) reach = (reach + w_sizes[k]) * radius;
       for (std::size_t k = turning_sizes.size(); k-- > 0;) top = top * radius + turning_sizes[k];
-      const double m = least - reach;
+      const double m = least_root(least, reach);
       if (!(m > margin * least)) break;
       // Everything since the sizes, here and in the sums above, is a few dozen roundings.
       const double cube = m * m * m, quotient = top / cube;
@@ -161,6 +192,16 @@ class EnergyIntegral {
       if (!best || bound < best->remainder) best = Remainder{bound, most};
     }
     return best && std::isfinite(best->remainder) ? best : std::nullopt;
+  }
+  /// m above: |σ| ≥ m² where |w(c)| ≥ least and the rest is at most `reach`; not positive where
+  /// nothing follows.
+  static double least_root(double least, double reach) {
+    if constexpr (A::dimension == 2) {
+      return least - reach;
+    } else {
+      const double square = least * least - reach * (2.0 * least + reach);
+      return square > 0.0 ? (1.0 - margin) * std::sqrt(square) : 0.0;
+    }
   }
   /// What rounding of a few dozen operations stays far below.
   static constexpr double margin = 0x1.0p-16;
@@ -182,9 +223,18 @@ class EnergyIntegral {
   }
 
   static S integrand(const Preimage& w, const Turning& turning, const S& t) {
-    const Complex<S> value = w.value(t);
-    const S rate = turning.value(t);
-    if constexpr (rigorous) {
+    const A value = w.value(t);
+    const auto rate = turning.value(t);
+    if constexpr (A::dimension > 2) {
+      const S y = rate.x, z = rate.y;  // (v₂, v₃)
+      if constexpr (rigorous) {
+        const S speed = (square(value.w) + square(value.x)) + (square(value.y) + square(value.z));
+        return (square(y / speed) + square(z / speed)) / speed;
+      } else {
+        const S speed = dot(value, value), p = y / speed, q = z / speed;
+        return (p * p + q * q) / speed;
+      }
+    } else if constexpr (rigorous) {
       const S speed = square(value.re) + square(value.im);
       const S quotient = rate / speed;
       return square(quotient) / speed;

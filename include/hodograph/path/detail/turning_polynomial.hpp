@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The polynomials behind the curvature of a planar PH curve, over doubles or enclosures.
+// The polynomials behind the curvature of a PH curve, over doubles or enclosures.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
 
-#include "hodograph/algebra/complex.hpp"
+#include "hodograph/algebra/preimage_algebra.hpp"
 #include "hodograph/bernstein/polynomial.hpp"
 #include "hodograph/foundation/enclosure.hpp"
 
@@ -59,6 +59,21 @@ constexpr auto turning_polynomial(const BernsteinPolynomial<Complex<S>, n>& w) {
     return product(left, right,
                    [](const Complex<S>& a, const Complex<S>& b) { return cross(a, b); });
   }
+}
+
+/// In space: v with vec(A* A') = n v, that is vec(L* R). Its first component turns the frame about
+/// the tangent; the others bend the curve, κ = 2n |(v₂, v₃)|/(hσ²).
+template <class S, std::size_t n>
+  requires(n >= 1)
+constexpr auto turning_polynomial(const BernsteinPolynomial<Quaternion<S>, n>& a) {
+  BernsteinPolynomial<Quaternion<S>, n - 1> left, right;
+  for (std::size_t i = 0; i < n; ++i) {
+    left[i] = a[i];
+    right[i] = a[i + 1];
+  }
+  return product(left, right, [](const Quaternion<S>& l, const Quaternion<S>& r) {
+    return body_rate_form(l, r);
+  });
 }
 
 template <class S, std::size_t n>
