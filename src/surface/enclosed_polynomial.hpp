@@ -42,7 +42,9 @@ inline double largest(const DynamicPolynomial<Vector3<Enclosure>>& f) {
 
 /// Upper bounds of a sum and a product of upper bounds that are not negative.
 inline double sum_up(double a, double b) { return Enclosure::up(a + b); }
-inline double product_up(double a, double b) { return a == 0.0 || b == 0.0 ? 0.0 : Enclosure::up(a * b); }
+inline double product_up(double a, double b) {
+  return a == 0.0 || b == 0.0 ? 0.0 : Enclosure::up(a * b);
+}
 inline double quotient_up(double a, double b) { return a == 0.0 ? 0.0 : Enclosure::up(a / b); }
 
 }  // namespace hodograph::surface_detail

@@ -110,9 +110,9 @@ std::optional<Fault> align(std::vector<MotionPiece>& pieces) {
     if (turn.is_break()) return break_fault(turn, k);
     // A step within rounding is none: B stays the path's own preimage, up to its sign.
     const bool none = std::abs(turn.roll.im) <= turn.allowed;
-    pieces[k].preimage = rolled(pieces[k].preimage,
-                                none ? Complex<double>{turn.roll.re < 0.0 ? -1.0 : 1.0, 0.0}
-                                     : turn.roll);
+    pieces[k].preimage =
+        rolled(pieces[k].preimage,
+               none ? Complex<double>{turn.roll.re < 0.0 ? -1.0 : 1.0, 0.0} : turn.roll);
   }
   return std::nullopt;
 }
@@ -147,10 +147,9 @@ void close(std::vector<MotionPiece>& pieces, double half_roll) {
     const double before = -half_roll * (passed / total);
     passed += length_of(piece);
     const double after = -half_roll * (passed / total);
-    piece.preimage = rolled(
-        piece.preimage,
-        DynamicPolynomial<Complex<double>>{{std::cos(before), std::sin(before)},
-                                           {std::cos(after), std::sin(after)}});
+    piece.preimage = rolled(piece.preimage,
+                            DynamicPolynomial<Complex<double>>{{std::cos(before), std::sin(before)},
+                                                               {std::cos(after), std::sin(after)}});
   }
 }
 
@@ -172,21 +171,28 @@ bool MotionBounds::is_bounded() const {
 
 std::optional<Fault> Motion::set_scale(const std::vector<double>& scale) {
   if (scale.empty()) {
-    return Fault{FaultCode::outside_domain, "the scale has no coefficient; it needs one at least",
-                 std::nullopt, "scale", std::nullopt, std::nullopt};
+    return Fault{FaultCode::outside_domain,
+                 "the scale has no coefficient; it needs one at least",
+                 std::nullopt,
+                 "scale",
+                 std::nullopt,
+                 std::nullopt};
   }
   constexpr std::size_t most_coefficients = 26;  // degree 25, the most that CAD takes
   if (scale.size() > most_coefficients) {
     return Fault{FaultCode::outside_domain,
                  "the scale has " + std::to_string(scale.size()) + " coefficients; at most " +
                      std::to_string(most_coefficients) + " are allowed",
-                 std::nullopt, "scale", static_cast<double>(scale.size()),
+                 std::nullopt,
+                 "scale",
+                 static_cast<double>(scale.size()),
                  static_cast<double>(most_coefficients)};
   }
   for (const double s : scale) {
     if (!std::isfinite(s)) {
-      return Fault{FaultCode::not_finite, "a coefficient of the scale is not finite", std::nullopt,
-                   "scale", std::nullopt, std::nullopt};
+      return Fault{FaultCode::not_finite, "a coefficient of the scale is not finite",
+                   std::nullopt,          "scale",
+                   std::nullopt,          std::nullopt};
     }
   }
   const DynamicPolynomial<double> whole(scale);
@@ -201,7 +207,10 @@ std::optional<Fault> Motion::set_scale(const std::vector<double>& scale) {
     return Fault{FaultCode::outside_domain,
                  "the scale of a closed sweep begins with " + to_text(scale.front()) +
                      " and ends with " + to_text(scale.back()) + "; they must be equal",
-                 std::nullopt, "scale", scale.back(), scale.front()};
+                 std::nullopt,
+                 "scale",
+                 scale.back(),
+                 scale.front()};
   }
   // The range of the scale: halved until its coefficients are positive or a value is not.
   struct Part {
@@ -254,7 +263,10 @@ std::optional<Fault> Motion::check_frames() const {
                                   : "jumps at knot " + std::to_string(next) + " by ") +
                        to_text(std::abs(step)) +
                        " rad about the tangent; choose a frame that does not (closing)",
-                   next, "roll", std::abs(step), allowed};
+                   next,
+                   "roll",
+                   std::abs(step),
+                   allowed};
     }
   }
   return std::nullopt;
@@ -298,7 +310,9 @@ Result<Motion> Motion::along(const AnyPath& path,
     return Fault{FaultCode::mismatched_size,
                  "there are " + std::to_string(rolls.size()) + " rolls for " +
                      std::to_string(motion.pieces_.size()) + " segments; there must be as many",
-                 std::nullopt, "rolls", static_cast<double>(rolls.size()),
+                 std::nullopt,
+                 "rolls",
+                 static_cast<double>(rolls.size()),
                  static_cast<double>(motion.pieces_.size())};
   }
   if (auto fault = still_at_knots(motion.pieces_)) return *fault;
@@ -317,13 +331,15 @@ Result<Motion> Motion::polynomial(DynamicPolynomial<Vector3<double>> position,
   for (const auto& c : position.coefficients()) {
     if (!is_finite(c)) {
       return Fault{FaultCode::not_finite, "a coefficient of the position is not finite",
-                   std::nullopt, "position", std::nullopt, std::nullopt};
+                   std::nullopt,          "position",
+                   std::nullopt,          std::nullopt};
     }
   }
   for (const auto& q : rotation.coefficients()) {
     if (!is_finite(q)) {
       return Fault{FaultCode::not_finite, "a coefficient of the rotation is not finite",
-                   std::nullopt, "rotation", std::nullopt, std::nullopt};
+                   std::nullopt,          "rotation",
+                   std::nullopt,          std::nullopt};
     }
   }
   Motion motion;
@@ -336,7 +352,10 @@ Result<Motion> Motion::polynomial(DynamicPolynomial<Vector3<double>> position,
       !(largest_component(motion.pieces_[0].preimage.back()) > 0.0)) {
     return Fault{FaultCode::zero_speed,
                  "the quaternion of the rotation vanishes at an end; it must not vanish",
-                 std::nullopt, "rotation", 0.0, std::nullopt};
+                 std::nullopt,
+                 "rotation",
+                 0.0,
+                 std::nullopt};
   }
   if (auto fault = motion.set_scale(scale.coefficients())) return *fault;
   return motion;
@@ -358,9 +377,9 @@ MotionState Motion::at(std::size_t k, double v) const {
     const double xi = v == 1.0 ? piece.end : piece.begin + v * h;
     const double theta = roll_->angle(xi);
     state.frame = hodograph::rolled(state.frame, theta);
-    state.body_rate = rolled_rate(state.body_rate, theta,
-                                  roll_->is_rotation_minimising() ? -state.body_rate.x
-                                                                  : h * roll_->rate(xi));
+    state.body_rate =
+        rolled_rate(state.body_rate, theta,
+                    roll_->is_rotation_minimising() ? -state.body_rate.x : h * roll_->rate(xi));
   }
   return state;
 }
@@ -436,8 +455,8 @@ MotionBounds Motion::bounds(std::size_t k, double a, double b) const {
     bounds.rate_change = sum_up(across_change, product_up(tangential, across));
   } else {
     const double h = piece.end - piece.begin;
-    const auto range = roll_->range(piece.begin + a * h,
-                                    b == 1.0 ? piece.end : piece.begin + b * h);
+    const auto range =
+        roll_->range(piece.begin + a * h, b == 1.0 ? piece.end : piece.begin + b * h);
     const double step = product_up(h, Enclosure::up(b - a));
     const double theta_rate = product_up(range.rate, step);
     const double theta_change = product_up(range.rate_change, product_up(step, step));
@@ -454,10 +473,9 @@ MotionBounds Motion::bounds(std::size_t k, double a, double b) const {
   bounds.rounding = 2.0 * (accuracy::evaluation_error<double>(piece.displacement.degree()) * far +
                            unit * (largest_component(piece.start) + far));
   const double size = largest_coefficient(piece.preimage);
-  bounds.frame_rounding =
-      16.0 * (accuracy::evaluation_error<double>(piece.preimage.degree()) * size *
-                  quotient_up(1.0, std::sqrt(low)) +
-              unit);
+  bounds.frame_rounding = 16.0 * (accuracy::evaluation_error<double>(piece.preimage.degree()) *
+                                      size * quotient_up(1.0, std::sqrt(low)) +
+                                  unit);
   return bounds;
 }
 

@@ -18,7 +18,9 @@ Enclosure turn(const Vector2<double>& a, const Vector2<double>& b, const Vector2
 class EarClipper {
  public:
   explicit EarClipper(std::span<const Vector2<double>> corners)
-      : corners_(corners), next_(corners.size()), previous_(corners.size()),
+      : corners_(corners),
+        next_(corners.size()),
+        previous_(corners.size()),
         reflex_(corners.size()) {
     const auto n = static_cast<std::uint32_t>(corners.size());
     for (std::uint32_t i = 0; i < n; ++i) {

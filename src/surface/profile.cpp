@@ -44,8 +44,12 @@ std::vector<RationalBezier> ellipse_quarters(double a, double b) {
 template <class Point>
 std::optional<Fault> fault_of(const std::vector<RationalBezierCurve<Point>>& pieces, bool closed) {
   if (pieces.empty()) {
-    return Fault{FaultCode::too_few, "the profile has no curve; it needs one at least",
-                 std::nullopt, "profile", 0.0, 1.0};
+    return Fault{FaultCode::too_few,
+                 "the profile has no curve; it needs one at least",
+                 std::nullopt,
+                 "profile",
+                 0.0,
+                 1.0};
   }
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const auto& piece = pieces[k];
@@ -55,18 +59,28 @@ std::optional<Fault> fault_of(const std::vector<RationalBezierCurve<Point>>& pie
                    name + " has " + std::to_string(piece.control_points.size()) +
                        " control points and " + std::to_string(piece.weights.size()) +
                        " weights; there must be as many, two or more",
-                   k, "weights", static_cast<double>(piece.weights.size()), std::nullopt};
+                   k,
+                   "weights",
+                   static_cast<double>(piece.weights.size()),
+                   std::nullopt};
     }
     for (std::size_t i = 0; i < piece.weights.size(); ++i) {
       if (!is_finite(piece.control_points[i])) {
-        return Fault{FaultCode::not_finite, name + " has a coordinate that is not finite", k,
-                     "control_points", std::nullopt, std::nullopt};
+        return Fault{FaultCode::not_finite,
+                     name + " has a coordinate that is not finite",
+                     k,
+                     "control_points",
+                     std::nullopt,
+                     std::nullopt};
       }
       if (!is_size(piece.weights[i])) {
         return Fault{FaultCode::outside_domain,
                      name + " has the weight " + to_text(piece.weights[i]) +
                          "; weights must be positive and finite",
-                     k, "weights", piece.weights[i], 0.0};
+                     k,
+                     "weights",
+                     piece.weights[i],
+                     0.0};
       }
     }
   }
@@ -83,7 +97,10 @@ std::optional<Fault> fault_of(const std::vector<RationalBezierCurve<Point>>& pie
       return Fault{FaultCode::not_continuous,
                    "piece " + std::to_string(next) + " of the profile starts " + to_text(gap) +
                        " away from where piece " + std::to_string(k) + " ends",
-                   next, "profile", gap, accuracy::join_error<double>() * size};
+                   next,
+                   "profile",
+                   gap,
+                   accuracy::join_error<double>() * size};
     }
   }
   return std::nullopt;
@@ -139,12 +156,13 @@ std::vector<RationalBezier> straight_pieces(std::span<const Vector2<double>> poi
 ProfileInterval bounded(const SpatialRationalBezier& piece, std::size_t index, double a, double b) {
   ProfileInterval interval{index, a, b, 0.0, 0.0};
   const Enclosure from(a), to(b);
-  const Vector3<double> about = piece.position(0.5 * (a + b));  // bounds do not depend on the origin
+  const Vector3<double> about =
+      piece.position(0.5 * (a + b));  // bounds do not depend on the origin
   auto weighted = enclosed(piece.weighted());
   const auto whole_weight = enclosed(piece.weight());
   for (std::size_t i = 0; i < piece.weights.size(); ++i) {
-    weighted[i] = Enclosure(piece.weights[i]) *
-                  (enclosed(piece.control_points[i]) - enclosed(about));
+    weighted[i] =
+        Enclosure(piece.weights[i]) * (enclosed(piece.control_points[i]) - enclosed(about));
   }
   const auto x = weighted.restricted(from, to);
   const auto w = whole_weight.restricted(from, to);
@@ -207,7 +225,10 @@ Result<Profile> Profile::polygon(std::span<const Vector2<double>> corners) {
   if (corners.size() < 3) {
     return Fault{FaultCode::too_few,
                  "a polygon needs at least 3 corners; got " + std::to_string(corners.size()),
-                 std::nullopt, "corners", static_cast<double>(corners.size()), 3.0};
+                 std::nullopt,
+                 "corners",
+                 static_cast<double>(corners.size()),
+                 3.0};
   }
   return of(straight_pieces(corners, true), true);
 }
@@ -216,7 +237,10 @@ Result<Profile> Profile::polyline(std::span<const Vector2<double>> points) {
   if (points.size() < 2) {
     return Fault{FaultCode::too_few,
                  "a polyline needs at least 2 points; got " + std::to_string(points.size()),
-                 std::nullopt, "points", static_cast<double>(points.size()), 2.0};
+                 std::nullopt,
+                 "points",
+                 static_cast<double>(points.size()),
+                 2.0};
   }
   return of(straight_pieces(points, false), false);
 }
@@ -228,14 +252,21 @@ Result<Profile> Profile::of(std::vector<RationalBezier> pieces, bool closed, Sel
       return Fault{FaultCode::unsupported,
                    "the profile touches or crosses itself near (" + to_text(at->x) + ", " +
                        to_text(at->y) + "); it must not",
-                   std::nullopt, "profile", std::nullopt, std::nullopt};
+                   std::nullopt,
+                   "profile",
+                   std::nullopt,
+                   std::nullopt};
     }
   }
   if (closed) {
     const double area = twice_signed_area(pieces);
     if (area == 0.0) {
-      return Fault{FaultCode::outside_domain, "the closed profile encloses no area", std::nullopt,
-                   "profile", 0.0, std::nullopt};
+      return Fault{FaultCode::outside_domain,
+                   "the closed profile encloses no area",
+                   std::nullopt,
+                   "profile",
+                   0.0,
+                   std::nullopt};
     }
     if (area < 0.0) reverse(pieces);
   }
@@ -254,12 +285,15 @@ Result<Profile> Profile::of(const AnyPath& path, SelfContact contact) {
   if (path.dimension() != 2) {
     return Fault{FaultCode::unsupported,
                  "the profile is a path in space; a sweep needs one in the plane",
-                 std::nullopt, "dimension", 3.0, 2.0};
+                 std::nullopt,
+                 "dimension",
+                 3.0,
+                 2.0};
   }
   std::vector<RationalBezier> pieces;
   for (const auto& piece : surface_detail::spatial_pieces(path.numbers())) {
-    RationalBezier plane{piece.begin, piece.end, {},
-                         std::vector<double>(piece.displacement.degree() + 1, 1.0)};
+    RationalBezier plane{
+        piece.begin, piece.end, {}, std::vector<double>(piece.displacement.degree() + 1, 1.0)};
     for (const auto& d : piece.displacement.coefficients()) {
       plane.control_points.push_back({piece.start.x + d.x, piece.start.y + d.y});
     }
@@ -281,8 +315,8 @@ Result<Profile> Profile::in_space(std::vector<SpatialRationalBezier> pieces, boo
 Result<Profile> Profile::in_space(const AnyPath& path) {
   std::vector<SpatialRationalBezier> pieces;
   for (const auto& piece : surface_detail::spatial_pieces(path.numbers())) {
-    SpatialRationalBezier curve{piece.begin, piece.end, {},
-                                std::vector<double>(piece.displacement.degree() + 1, 1.0)};
+    SpatialRationalBezier curve{
+        piece.begin, piece.end, {}, std::vector<double>(piece.displacement.degree() + 1, 1.0)};
     for (const auto& d : piece.displacement.coefficients()) {
       curve.control_points.push_back(piece.start + d);
     }

@@ -24,11 +24,10 @@ std::vector<SpatialPiece> spatial_pieces(const PathNumbers& numbers) {
                                : Quaternion<double>{c[0], c[1], c[2], c[3]};
     }
     piece.preimage = DynamicPolynomial<Quaternion<double>>(std::move(coefficients));
-    const auto hodograph =
-        product(piece.preimage, piece.preimage,
-                [](const Quaternion<double>& a, const Quaternion<double>& b) {
-                  return hodograph_form(a, b);
-                });
+    const auto hodograph = product(piece.preimage, piece.preimage,
+                                   [](const Quaternion<double>& a, const Quaternion<double>& b) {
+                                     return hodograph_form(a, b);
+                                   });
     piece.displacement = (piece.end - piece.begin) * hodograph.antiderivative();
   }
   return pieces;

@@ -96,8 +96,8 @@ MeshFacts facts_of(const TriangleMesh& mesh) {
   facts.bad_positions = static_cast<std::size_t>(std::count(bad.begin(), bad.end(), true));
   const auto used = static_cast<long long>(fan_of.size()) -
                     static_cast<long long>(std::count(fan_of.begin(), fan_of.end(), none));
-  facts.euler_characteristic = used - static_cast<long long>(facts.edges) +
-                               static_cast<long long>(facts.triangles);
+  facts.euler_characteristic =
+      used - static_cast<long long>(facts.edges) + static_cast<long long>(facts.triangles);
   return facts;
 }
 

@@ -89,8 +89,8 @@ class DynamicPolynomial {
       next[0] = c[0];
       next[n] = c[n - 1];
       for (std::size_t i = 1; i < n; ++i) {
-        const Scalar share = ratio<Scalar>(static_cast<std::int64_t>(i),
-                                           static_cast<std::int64_t>(n));
+        const Scalar share =
+            ratio<Scalar>(static_cast<std::int64_t>(i), static_cast<std::int64_t>(n));
         next[i] = share * c[i - 1] + (Scalar(1) - share) * c[i];
       }
       c = std::move(next);
@@ -172,8 +172,9 @@ auto product(const DynamicPolynomial<V>& f, const DynamicPolynomial<W>& g, const
     bool first = true;
     R sum{};
     for (std::size_t i = k > n ? k - n : 0; i <= std::min(k, m); ++i) {
-      const S weight = S(static_cast<double>(binomial(m, i)) *
-                         static_cast<double>(binomial(n, k - i))) / S(whole);
+      const S weight =
+          S(static_cast<double>(binomial(m, i)) * static_cast<double>(binomial(n, k - i))) /
+          S(whole);
       const R term = weight * form(f[i], g[k - i]);
       sum = first ? term : sum + term;
       first = false;

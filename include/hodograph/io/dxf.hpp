@@ -23,19 +23,12 @@
 
 #include "hodograph/algebra/vector.hpp"
 #include "hodograph/foundation/result.hpp"
+#include "hodograph/surface/rational_bezier.hpp"
 
 namespace hodograph {
 
 template <std::size_t n>
 struct OffsetPiece;
-
-/// A rational Bézier curve Σ w_i P_i B_i / Σ w_i B_i over [begin, end], of degree
-/// control_points.size() - 1.
-struct RationalBezier {
-  double begin = 0.0, end = 1.0;
-  std::vector<Vector2<double>> control_points{};  ///< P_i
-  std::vector<double> weights{};                  ///< w_i, as many, positive
-};
 
 /// A piece of an offset (surface/offset.hpp) as such a curve, over its parameters ξ.
 template <std::size_t n>

@@ -72,8 +72,8 @@ struct MotionBounds {
   double scale = 0.0, scale_rate = 0.0, scale_change = 0.0;  ///< ≥ |λ|, |λ'|, |λ''|
   double least_scale = 0.0;                                  ///< ≤ λ
   double least_advance = 0.0;                                ///< ≤ |c'|
-  double rounding = 0.0;         ///< ≥ the error of a computed position c
-  double frame_rounding = 0.0;   ///< ≥ the error of a computed unit vector of the frame
+  double rounding = 0.0;        ///< ≥ the error of a computed position c
+  double frame_rounding = 0.0;  ///< ≥ the error of a computed unit vector of the frame
   /// χ₂ and χ₃ of the frame of the pieces (before a MotionRoll).
   Enclosure across_2{}, across_3{};
   bool is_bounded() const;

@@ -44,11 +44,11 @@ class Profile {
   /// Faults: too_few (fewer than 2), and those of `of`.
   static Result<Profile> polyline(std::span<const Vector2<double>> points);
   /// Rational curves in sequence.
-  /// Faults, with the index of the piece: too_few (no piece), mismatched_size (weights), not_finite,
-  /// outside_domain (a weight that is not positive; a closed profile without area), not_continuous
-  /// (a piece that starts elsewhere than the one before it ends, beyond accuracy::join_error;
-  /// closed: also the last and the first), unsupported (it touches or crosses itself, or comes so
-  /// near that rounding cannot tell).
+  /// Faults, with the index of the piece: too_few (no piece), mismatched_size (weights),
+  /// not_finite, outside_domain (a weight that is not positive; a closed profile without area),
+  /// not_continuous (a piece that starts elsewhere than the one before it ends, beyond
+  /// accuracy::join_error; closed: also the last and the first), unsupported (it touches or crosses
+  /// itself, or comes so near that rounding cannot tell).
   static Result<Profile> of(std::vector<RationalBezier> pieces, bool closed,
                             SelfContact contact = SelfContact::refuse);
   /// A planar path; closed as the path is. Faults: unsupported (a path in space), and those above.

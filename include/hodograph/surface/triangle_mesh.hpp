@@ -34,9 +34,9 @@ struct TriangleMesh {
 
 struct MeshFacts {
   std::size_t positions = 0, triangles = 0, edges = 0;
-  std::size_t boundary_edges = 0;  ///< with one triangle
-  std::size_t bad_edges = 0;       ///< with more than two, or passed twice in one direction
-  std::size_t bad_positions = 0;   ///< whose triangles are not one fan
+  std::size_t boundary_edges = 0;      ///< with one triangle
+  std::size_t bad_edges = 0;           ///< with more than two, or passed twice in one direction
+  std::size_t bad_positions = 0;       ///< whose triangles are not one fan
   long long euler_characteristic = 0;  ///< positions - edges + triangles, of positions in use
   double area = 0.0;
   /// ∫ x·n dA/3, the volume inside a closed mesh, positive where it is oriented outwards.

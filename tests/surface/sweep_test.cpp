@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+// Sweeps against golden values, their own exact patches, and closed forms.
+#include "hodograph/surface/sweep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "hodograph/construction/closed_loop.hpp"
+#include "hodograph/construction/planar_spline.hpp"
+#include "hodograph/path/operations.hpp"
+#include "hodograph/surface/sweep_mesh.hpp"
+#include "tests/support/compare.hpp"
+#include "tests/support/json.hpp"
+#include "tests/support/random.hpp"
+
+namespace hodograph {
+namespace {
+
+using test::Json;
+constexpr double pi = std::numbers::pi;
+
+void expect_near(const Vector3<double>& a, const Vector3<double>& b, double rel_tol) {
+  EXPECT_LE(largest_component(a - b), rel_tol * std::max(1.0, largest_component(b)))
+      << a.x << " " << a.y << " " << a.z << " for " << b.x << " " << b.y << " " << b.z;
+}
+
+/// The plane curve of a path in z = 0.
+std::vector<RationalBezier> plane_curve(const SpatialPath<3>& path) {
+  std::vector<RationalBezier> pieces;
+  for (const auto& curve : path.segments()) {
+    RationalBezier piece{0.0, 1.0, {}, std::vector<double>(8, 1.0)};
+    for (const auto& d : curve.displacement().coefficients()) {
+      piece.control_points.push_back({curve.start().x + d.x, curve.start().y + d.y});
+    }
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+/// The roll -2 arg((1 - t) + γ t e^(iψ)) of the periodic frames.
+DynamicPolynomial<Complex<double>> periodic_roll(double psi, double gamma) {
+  return {{1.0, 0.0}, {gamma * std::cos(psi), -gamma * std::sin(psi)}};
+}
+
+TEST(SweepGolden, SweptSurfacesOfClosedLoops) {
+  const Json file = test::golden_file("surfaces.json");
+  for (const Json& one : file["swept"].list()) {
+    SCOPED_TRACE(one["name"].string());
+    const double psi = one["input"]["psi"].number(), tol = one["rel_tol"].number();
+    const AnyPath path = closed_loop({one["input"]["xi"].number(), psi}).value();
+    const auto oval =
+        closed_loop({0.0, pi}, {one["input"]["profile_length"].number(), {}, {1, 0, 0, 0}}).value();
+    const Sweep sweep{
+        Motion::along(path, {periodic_roll(psi, one["expected"]["gamma"].number())}).value(),
+        Profile::of(plane_curve(oval), true).value()};
+    const auto patches = rational_patches(sweep).value();
+    for (const Json& point : one["expected"]["points"].list()) {
+      const double t = point["t"].number(), u = point["u"].number();
+      const Vector3<double> expected = point["point"].vector();
+      expect_near(point_of(sweep, 0, t, 0, u).position, expected, tol);
+      // The profile has one piece; halving the weights may have made several patches.
+      for (const auto& patch : patches) {
+        if (t < patch.begin_v || patch.end_v < t) continue;
+        const double v = (t - patch.begin_v) / (patch.end_v - patch.begin_v);
+        expect_near(patch.position(v, u), expected, tol);
+      }
+    }
+  }
+}
+
+TEST(SweepGolden, TubularFamilies) {
+  const Json file = test::golden_file("surfaces.json");
+  for (const Json& one : file["tube"].list()) {
+    SCOPED_TRACE(one["name"].string());
+    const Json& in = one["input"];
+    const AnyPath loop = closed_loop({in["xi"].number(), in["psi"].number()}).value();
+    const auto numbers = [&](const char* name) {
+      std::vector<double> list;
+      for (const Json& x : in[name].list()) list.push_back(x.number());
+      return list;
+    };
+    const auto u = numbers("u"), v = numbers("v"), p = numbers("p"), q = numbers("q");
+    std::vector<Quaternion<double>> rotation;
+    for (std::size_t i = 0; i < u.size(); ++i) rotation.push_back({u[i], v[i], p[i], q[i]});
+    std::vector<Vector3<double>> center;
+    for (const Json& c : in["c"].list()) center.push_back(c.vector());
+    const Sweep family{Motion::polynomial(DynamicPolynomial<Vector3<double>>(center),
+                                          DynamicPolynomial<Quaternion<double>>(rotation),
+                                          DynamicPolynomial<double>(numbers("rho")))
+                           .value(),
+                       Profile::in_space(loop).value()};
+    const auto patches = rational_patches(family).value();
+    for (const Json& point : one["expected"]["points"].list()) {
+      const double t = point["t"].number(), s = point["u"].number();
+      const Vector3<double> expected = point["point"].vector();
+      expect_near(point_of(family, 0, s, 0, t).position, expected, one["rel_tol"].number());
+      for (const auto& patch : patches) {
+        if (s < patch.begin_v || patch.end_v < s) continue;
+        const double v = (s - patch.begin_v) / (patch.end_v - patch.begin_v);
+        expect_near(patch.position(v, t), expected, one["rel_tol"].number());
+      }
+    }
+  }
+}
+
+// ---- meshes -------------------------------------------------------------------------------------
+
+/// The circle of radius R about the origin, nearly: a C2 spline through its points.
+PlanarPath<2> ring(double radius, std::size_t points = 12) {
+  std::vector<Vector2<double>> nodes;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double a = 2 * pi * static_cast<double>(i) / static_cast<double>(points);
+    nodes.push_back({radius * std::cos(a), radius * std::sin(a)});
+  }
+  PlanarSplineOptions options;
+  options.closed = true;
+  return planar_spline(nodes, options).value().path;
+}
+AnyPath straight(double length) {
+  const double w = std::sqrt(length);
+  return AnyPath(SpatialPath<1>::create(
+                     {0.0, 1.0},
+                     {{{1.0, 2.0, 3.0},
+                       BernsteinPolynomial<Quaternion<double>, 1>(
+                           {Quaternion<double>{w, 0, 0, 0}, Quaternion<double>{w, 0, 0, 0}}),
+                       1.0}},
+                     false)
+                     .value());
+}
+
+/// Facts that every mesh must have; the deviation is also measured at random points of triangles.
+MeshFacts checked(const Sweep& sweep, double tolerance, long long euler) {
+  const auto made = mesh_of(sweep, {tolerance}).value();
+  EXPECT_LE(made.deviation, tolerance);
+  const MeshFacts facts = facts_of(made.mesh);
+  EXPECT_TRUE(facts.is_manifold());
+  EXPECT_EQ(facts.euler_characteristic, euler);
+  for (const auto& n : made.mesh.normals) EXPECT_NEAR(norm(n), 1.0, 8 * epsilon<double>());
+  return facts;
+}
+
+TEST(SweepMesh, TorusIsClosedOrientedAndHasItsAreaAndVolume) {
+  const double big = 2.0, small = 0.5;
+  const Sweep torus{Motion::along(ring(big, 64)).value(), Profile::circle(small).value()};
+  const double area = 4 * pi * pi * big * small, volume = 2 * pi * pi * big * small * small;
+  for (const double tolerance : {0.05, 0.005, 0.0005}) {
+    const MeshFacts facts = checked(torus, tolerance, 0);
+    EXPECT_TRUE(facts.is_closed());
+    // The mesh lies within the tolerance of the surface: its volume within area times tolerance,
+    // and a margin for the spline, which is within 1e-6 of the circle.
+    EXPECT_NEAR(facts.volume, volume, 1.2 * area * tolerance);
+    EXPECT_NEAR(facts.area, area, area * tolerance / small);
+    EXPECT_LT(facts.volume, volume);
+  }
+}
+
+TEST(SweepMesh, PrismHasExactVolumeAndArea) {
+  const std::vector<Vector2<double>> corners{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  const Sweep prism{Motion::along(straight(4.0)).value(), Profile::polygon(corners).value()};
+  const MeshFacts facts = checked(prism, 0.01, 2);
+  EXPECT_TRUE(facts.is_closed());
+  EXPECT_NEAR(facts.volume, 4.0 * 4.0, 64 * epsilon<double>() * 16.0);
+  EXPECT_NEAR(facts.area, 2 * 4.0 + 4.0 * 10.0, 64 * epsilon<double>() * 48.0);
+  EXPECT_EQ(facts.triangles, 2u * 6u + 2u * 4u);
+}
+
+TEST(SweepMesh, ConeOfLinearScale) {
+  const Sweep cone{Motion::along(straight(3.0), MotionFrame::closing, {1.0, 0.25}).value(),
+                   Profile::circle(1.0).value()};
+  const double volume = pi * 3.0 / 3.0 * (1.0 + 0.25 + 0.0625);
+  const MeshFacts facts = checked(cone, 0.001, 2);
+  EXPECT_TRUE(facts.is_closed());
+  const double tolerance = 0.001;
+  EXPECT_LE(std::abs(facts.volume - volume), tolerance * 2 * pi * 3.2);
+}
+
+TEST(SweepMesh, LoopsCloseWhateverTheHolonomy) {
+  test::Random random("SweepMesh.LoopsClose");
+  for (int i = 0; i < 6; ++i) {
+    const AnyPath loop =
+        AnyPath(closed_loop({random.uniform(-1.5, 1.5), random.uniform(-pi, pi)}).value());
+    for (const Profile& profile :
+         {Profile::circle(0.01).value(),
+          Profile::polygon(std::vector<Vector2<double>>{{-0.01, -0.02}, {0.01, -0.02}, {0.0, 0.02}})
+              .value()}) {
+      const Sweep sweep{Motion::along(loop).value(), profile};
+      const MeshFacts facts = checked(sweep, 0.0005, 0);
+      EXPECT_TRUE(facts.is_closed());
+      EXPECT_GT(facts.volume, 0.0);
+    }
+  }
+}
+
+TEST(SweepMesh, RibbonHasABoundary) {
+  const std::vector<Vector2<double>> edge{{-0.2, 0.0}, {0.3, 0.0}};
+  const Profile line = Profile::polyline(edge).value();
+  const Sweep band{Motion::along(ring(2.0)).value(), line};
+  const MeshFacts closed = checked(band, 0.001, 0);
+  EXPECT_GT(closed.boundary_edges, 0u);
+  EXPECT_TRUE(closed.is_manifold());
+  // Between the radii 1.7 and 2.2: e2 is the left normal, inwards on a counterclockwise circle.
+  EXPECT_LE(std::abs(closed.area - pi * (2.2 * 2.2 - 1.7 * 1.7)), 0.01 * pi);
+  const Sweep strip{Motion::along(straight(4.0)).value(), line};
+  EXPECT_EQ(checked(strip, 0.001, 1).boundary_edges, 4u);
+}
+
+/// The largest sampled distance of the mesh from the surface at the same parameters would need the
+/// parameters; distances from a torus have a closed form.
+TEST(SweepMesh, StaysWithinItsDeviationOfATorus) {
+  const double big = 2.0, small = 0.5;
+  const Sweep torus{Motion::along(ring(big, 128)).value(), Profile::circle(small).value()};
+  const auto made = mesh_of(torus, {0.01}).value();
+  double worst = 0.0;
+  for (std::size_t t = 0; t < made.mesh.triangles.size(); ++t) {
+    const Vector3<double> a = made.mesh.corner(t, 0), b = made.mesh.corner(t, 1),
+                          c = made.mesh.corner(t, 2);
+    for (const auto& x : {0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a), (1.0 / 3) * (a + b + c)}) {
+      const double distance = std::abs(std::hypot(std::hypot(x.x, x.y) - big, x.z) - small);
+      worst = std::max(worst, distance);
+    }
+  }
+  EXPECT_LT(worst, made.deviation);
+  EXPECT_GT(worst, 0.3 * made.deviation);  // the bound is not idle
+}
+
+// ---- bad input ----------------------------------------------------------------------------------
+
+TEST(SweepMesh, RefusesWhatItCannotDo) {
+  const Sweep tube{Motion::along(straight(4.0)).value(), Profile::circle(0.5).value()};
+  for (const double bad : {0.0, -1.0, std::numeric_limits<double>::infinity(),
+                           std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(mesh_of(tube, {bad}).fault().code, FaultCode::outside_domain);
+  }
+  const auto many = mesh_of(Sweep{Motion::along(ring(2.0)).value(), Profile::circle(0.5).value()},
+                            {ldexp(1.0, -30)});
+  ASSERT_FALSE(many);
+  EXPECT_EQ(many.fault().code, FaultCode::tolerance_not_reached);
+  EXPECT_GT(*many.fault().value, 2e7);
+  EXPECT_EQ(mesh_of(tube, {ldexp(1.0, -52)}).fault().code, FaultCode::tolerance_not_reached);
+  // A huge tolerance makes a coarse mesh, still a closed one.
+  const MeshFacts coarse = facts_of(mesh_of(tube, {1e300}).value().mesh);
+  EXPECT_TRUE(coarse.is_closed() && coarse.is_manifold());
+  EXPECT_GT(coarse.volume, 0.0);
+}
+
+TEST(SweepMotion, RefusesCornersStandstillsAndScales) {
+  EXPECT_EQ(Motion::along(straight(1.0), MotionFrame::closing, {}).fault().code,
+            FaultCode::outside_domain);
+  EXPECT_EQ(Motion::along(straight(1.0), MotionFrame::closing, {1.0, 0.0}).fault().code,
+            FaultCode::outside_domain);
+  EXPECT_EQ(Motion::along(straight(1.0), MotionFrame::closing, {1.0, -2.0, 1.0}).fault().code,
+            FaultCode::outside_domain);
+  EXPECT_EQ(Motion::along(ring(1.0), MotionFrame::closing, {1.0, 2.0}).fault().code,
+            FaultCode::outside_domain);
+  // A loop's Euler-Rodrigues frame does not return.
+  const AnyPath loop = closed_loop({1.0, 1.0}).value();
+  EXPECT_EQ(Motion::along(loop, MotionFrame::euler_rodrigues).fault().code,
+            FaultCode::not_continuous);
+  // The limit members stand still at their start.
+  const AnyPath limit = closed_loop({std::numeric_limits<double>::infinity(), 1.0}).value();
+  EXPECT_EQ(Motion::along(limit).fault().code, FaultCode::zero_speed);
+}
+
+TEST(SweepContact, TubesThatMeetThemselvesAreRefusedWithTheRadiusThatWouldDo) {
+  const PlanarPath<2> path = ring(2.0);
+  const TubeRadius limit = largest_tube_radius(path, {1.0 / 1024});
+  EXPECT_GT(limit.radius.lower(), 1.9);
+  EXPECT_LT(limit.radius.upper(), 2.1);  // the spline is not quite a circle
+  const auto tube = [&](double r) {
+    return Sweep{Motion::along(path).value(), Profile::circle(r).value()};
+  };
+  EXPECT_TRUE(is_certainly_free(tube(1.9), limit));
+  EXPECT_FALSE(contact_fault(tube(1.9), limit));
+  const auto fault = contact_fault(tube(2.1), limit);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(*fault->bound, limit.radius.lower());
+  // A square that reaches past the centre folds, one that reaches outwards does not.
+  const std::vector<Vector2<double>> inwards{{0, -1}, {2.5, -1}, {2.5, 1}, {0, 1}};
+  const std::vector<Vector2<double>> outwards{{-2.5, -1}, {0, -1}, {0, 1}, {-2.5, 1}};
+  const Sweep in{Motion::along(path).value(), Profile::polygon(inwards).value()};
+  const Sweep out{Motion::along(path).value(), Profile::polygon(outwards).value()};
+  EXPECT_EQ(fold_of(in).kind, SweepFold::Kind::certain);
+  EXPECT_EQ(fold_of(out).kind, SweepFold::Kind::none);
+  EXPECT_TRUE(contact_fault(in, limit));
+  EXPECT_FALSE(contact_fault(out, limit));
+}
+
+}  // namespace
+}  // namespace hodograph
