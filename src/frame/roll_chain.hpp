@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "frame/segment_rates.hpp"
+#include "segment_rates.hpp"
 #include "hodograph/frame/roll.hpp"
 
 namespace hodograph::frame_detail {

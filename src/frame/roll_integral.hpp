@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "frame/rows.hpp"
+#include "rows.hpp"
 #include "hodograph/algebra/quaternion.hpp"
 
 namespace hodograph::frame_detail {

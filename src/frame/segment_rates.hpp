@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "frame/rate_series.hpp"
-#include "frame/rows.hpp"
+#include "rate_series.hpp"
+#include "rows.hpp"
 #include "hodograph/frame/preimage_table.hpp"
 
 namespace hodograph::frame_detail {
