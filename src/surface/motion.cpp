@@ -244,7 +244,6 @@ std::optional<Fault> Motion::set_scale(const std::vector<double>& scale) {
 }
 
 std::optional<Fault> Motion::check_frames() const {
-  const auto end_roll = [this](double xi) { return roll_ ? roll_->angle(xi) : 0.0; };
   const std::size_t joints = closed_ ? pieces_.size() : pieces_.size() - 1;
   for (std::size_t k = 0; k < joints; ++k) {
     const std::size_t next = (k + 1) % pieces_.size();
@@ -252,10 +251,10 @@ std::optional<Fault> Motion::check_frames() const {
     if (turn.is_break()) return break_fault(turn, next);
     // The step of the roll from the end of one piece to the start of the next.
     double step = -2.0 * std::atan2(turn.roll.im, turn.roll.re);
-    if (roll_ && next == 0) step += end_roll(pieces_[0].begin) - end_roll(pieces_[k].end);
+    if (roll_) step += roll_->angle_at_begin(next) - roll_->angle_at_end(k);
     step = std::remainder(step, 2.0 * std::acos(-1.0));
-    // Rolls are sums and integrals of arcs: a few hundred roundings.
-    const double allowed = 4.0 * turn.allowed + accuracy::join_error<double>() * 8.0;
+    const double allowed = 4.0 * turn.allowed + accuracy::join_error<double>() +
+                           (roll_ ? 2.0 * roll_->error_bound() : 0.0);
     if (std::abs(step) > allowed) {
       return Fault{FaultCode::not_continuous,
                    std::string("the frame ") +
@@ -288,41 +287,85 @@ Result<Motion> Motion::along(const AnyPath& path, MotionFrame frame,
   return motion;
 }
 
-Result<Motion> Motion::along(const AnyPath& path, std::shared_ptr<const MotionRoll> roll,
+Result<Motion> Motion::along(const AnyPath& path, const FrameRoll& roll,
                              const std::vector<double>& scale) {
   Motion motion;
   motion.pieces_ = pieces_of(path);
   motion.closed_ = path.is_closed();
-  motion.roll_ = std::move(roll);
+  if (roll.segment_count() != motion.pieces_.size()) {
+    return Fault{FaultCode::mismatched_size,
+                 "the roll has " + std::to_string(roll.segment_count()) +
+                     " segments and the path " + std::to_string(motion.pieces_.size()) +
+                     "; it must be a roll of that path",
+                 std::nullopt,
+                 "roll",
+                 static_cast<double>(roll.segment_count()),
+                 static_cast<double>(motion.pieces_.size())};
+  }
+  if (!roll.inflections().empty()) {
+    const double xi = roll.inflections().front().xi;
+    return Fault{FaultCode::not_continuous,
+                 "the Frenet frame turns over at the inflection xi = " + to_text(xi) +
+                     "; choose a frame that does not (rotation-minimising, euler-rodrigues)",
+                 std::nullopt,
+                 "roll",
+                 xi,
+                 std::nullopt};
+  }
   if (auto fault = still_at_knots(motion.pieces_)) return *fault;
+  if (roll.kind() == RollKind::periodic) {
+    // q = 1 - τ + γ τ e^(-iψ), τ in [0, 1] over the whole path.
+    const double begin = motion.pieces_.front().begin;
+    const double length = motion.pieces_.back().end - begin;
+    const Complex<double> last{roll.gamma() * std::cos(roll.psi()),
+                               -(roll.gamma() * std::sin(roll.psi()))};
+    const auto q = [&](double xi) {
+      const double tau = std::min(1.0, (xi - begin) / length);
+      return Complex<double>{(1.0 - tau) + tau * last.re, tau * last.im};
+    };
+    for (auto& piece : motion.pieces_) {
+      piece.preimage =
+          rolled(piece.preimage, DynamicPolynomial<Complex<double>>{q(piece.begin), q(piece.end)});
+    }
+    if (auto fault = still_at_knots(motion.pieces_)) return *fault;
+  } else if (roll.kind() != RollKind::none) {
+    motion.roll_ = std::make_shared<const FrameRoll>(roll);
+  }
   if (auto fault = motion.set_scale(scale)) return *fault;
   if (auto fault = motion.check_frames()) return *fault;
   return motion;
 }
 
-Result<Motion> Motion::along(const AnyPath& path,
-                             const std::vector<DynamicPolynomial<Complex<double>>>& rolls,
-                             const std::vector<double>& scale) {
-  Motion motion;
-  motion.pieces_ = pieces_of(path);
-  motion.closed_ = path.is_closed();
-  if (rolls.size() != motion.pieces_.size()) {
-    return Fault{FaultCode::mismatched_size,
-                 "there are " + std::to_string(rolls.size()) + " rolls for " +
-                     std::to_string(motion.pieces_.size()) + " segments; there must be as many",
-                 std::nullopt,
-                 "rolls",
-                 static_cast<double>(rolls.size()),
-                 static_cast<double>(motion.pieces_.size())};
+double Motion::roll_angle(std::size_t k, double v) const {
+  if (v == 0.0) return roll_->angle_at_begin(k);
+  if (v == 1.0) return roll_->angle_at_end(k);
+  const MotionPiece& piece = pieces_[k];
+  return roll_->angle(std::min(piece.begin + v * (piece.end - piece.begin),
+                               std::nextafter(piece.end, piece.begin)));
+}
+
+double Motion::roll_rate(std::size_t k, double v) const {
+  const MotionPiece& piece = pieces_[k];
+  const double xi =
+      std::min(piece.begin + v * (piece.end - piece.begin), std::nextafter(piece.end, piece.begin));
+  return (piece.end - piece.begin) * roll_->derivatives<1>(xi)[1];
+}
+
+AnyPath in_space(const AnyPath& path) {
+  if (path.dimension() == 3) return path;
+  const PathNumbers plane = path.numbers();
+  PathNumbers space;
+  space.preimage_degree = plane.preimage_degree;
+  space.closed = plane.closed;
+  space.knots = plane.knots;
+  for (std::size_t i = 0; i < plane.starts.size(); i += 2) {
+    space.starts.insert(space.starts.end(), {plane.starts[i], plane.starts[i + 1], 0.0});
   }
-  if (auto fault = still_at_knots(motion.pieces_)) return *fault;
-  for (std::size_t k = 0; k < rolls.size(); ++k) {
-    motion.pieces_[k].preimage = rolled(motion.pieces_[k].preimage, rolls[k]);
+  for (std::size_t i = 0; i < plane.preimages.size(); i += 2) {
+    space.preimages.insert(space.preimages.end(),
+                           {plane.preimages[i], 0.0, 0.0, plane.preimages[i + 1]});
   }
-  if (auto fault = still_at_knots(motion.pieces_)) return *fault;
-  if (auto fault = motion.set_scale(scale)) return *fault;
-  if (auto fault = motion.check_frames()) return *fault;
-  return motion;
+  return AnyPath::create(space).value();  // the same numbers
 }
 
 Result<Motion> Motion::polynomial(DynamicPolynomial<Vector3<double>> position,
@@ -373,13 +416,11 @@ MotionState Motion::at(std::size_t k, double v) const {
   state.scale = piece.scale.value(v);
   state.scale_rate = piece.scale.derivative().value(v);
   if (roll_) {
-    const double h = piece.end - piece.begin;
-    const double xi = v == 1.0 ? piece.end : piece.begin + v * h;
-    const double theta = roll_->angle(xi);
+    const double theta = roll_angle(k, v);
     state.frame = hodograph::rolled(state.frame, theta);
-    state.body_rate =
-        rolled_rate(state.body_rate, theta,
-                    roll_->is_rotation_minimising() ? -state.body_rate.x : h * roll_->rate(xi));
+    const double rate =
+        roll_->kind() == RollKind::rotation_minimising ? -state.body_rate.x : roll_rate(k, v);
+    state.body_rate = rolled_rate(state.body_rate, theta, rate);
   }
   return state;
 }
@@ -447,22 +488,53 @@ MotionBounds Motion::bounds(std::size_t k, double a, double b) const {
   const auto hypotenuse = [](double p, double q) {
     return sqrt(square(Enclosure(p)) + square(Enclosure(q))).upper();
   };
-  if (!roll_) {
+  // With the roll: χ₁ + θ' and its derivative, and |θ'|.
+  double theta_rate = 0.0;
+  if (roll_ && roll_->kind() == RollKind::rotation_minimising) {
+    theta_rate = tangential;
+    tangential = tangential_change = 0.0;
+  } else if (roll_ && roll_->kind() == RollKind::least_twist) {
+    const double step = Enclosure::up((piece.end - piece.begin) * Enclosure::up(b - a));
+    const double twist = product_up(std::abs(roll_->twist_rate()), step);
+    const double total = product_up(twist, largest(sigma));
+    theta_rate = sum_up(tangential, total);
+    tangential = total;
+    tangential_change = product_up(twist, largest(sigma.derivative()));
+  } else if (roll_) {
+    double theta_change = 0.0;
+    if (roll_->kind() == RollKind::linear) {
+      const double step = Enclosure::up((piece.end - piece.begin) * Enclosure::up(b - a));
+      theta_rate = product_up(std::abs(roll_->linear_rate()), step);
+    } else {
+      // Frenet: θ' = N/Q, N = v₃ v₂' - v₂ v₃' up to sign, Q = v₂² + v₃².
+      const auto turn =
+          product(v, v_rate, [](const Vector3<Enclosure>& p, const Vector3<Enclosure>& q) {
+            return p.z * q.y - p.y * q.z;
+          });
+      const auto square =
+          product(v, v, [](const Vector3<Enclosure>& p, const Vector3<Enclosure>& q) {
+            return p.y * q.y + p.z * q.z;
+          });
+      const double smallest = least(square);
+      if (!(smallest > 0.0)) {
+        bounds.rate = bounds.rate_change = infinity;
+        return bounds;
+      }
+      theta_rate = quotient_up(largest(turn), smallest);
+      theta_change =
+          sum_up(quotient_up(largest(turn.derivative()), smallest),
+                 product_up(theta_rate, quotient_up(largest(square.derivative()), smallest)));
+    }
+    tangential = sum_up(tangential, theta_rate);
+    tangential_change = sum_up(tangential_change, theta_change);
+  }
+  if (roll_) {
+    bounds.rate = hypotenuse(tangential, across);
+    bounds.rate_change =
+        hypotenuse(tangential_change, sum_up(across_change, product_up(theta_rate, across)));
+  } else {
     bounds.rate = whole;
     bounds.rate_change = hypotenuse(tangential_change, across_change);
-  } else if (roll_->is_rotation_minimising()) {
-    bounds.rate = across;
-    bounds.rate_change = sum_up(across_change, product_up(tangential, across));
-  } else {
-    const double h = piece.end - piece.begin;
-    const auto range =
-        roll_->range(piece.begin + a * h, b == 1.0 ? piece.end : piece.begin + b * h);
-    const double step = product_up(h, Enclosure::up(b - a));
-    const double theta_rate = product_up(range.rate, step);
-    const double theta_change = product_up(range.rate_change, product_up(step, step));
-    bounds.rate = hypotenuse(sum_up(tangential, theta_rate), across);
-    bounds.rate_change = hypotenuse(sum_up(tangential_change, theta_change),
-                                    sum_up(across_change, product_up(theta_rate, across)));
   }
 
   // Computed values. Position: the polynomial's and one sum. Frame: a form of B of relative error
@@ -475,7 +547,8 @@ MotionBounds Motion::bounds(std::size_t k, double a, double b) const {
   const double size = largest_coefficient(piece.preimage);
   bounds.frame_rounding = 16.0 * (accuracy::evaluation_error<double>(piece.preimage.degree()) *
                                       size * quotient_up(1.0, std::sqrt(low)) +
-                                  unit);
+                                  unit) +
+                          (roll_ ? roll_->error_bound() : 0.0);
   return bounds;
 }
 

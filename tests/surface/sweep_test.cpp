@@ -8,7 +8,7 @@
 
 #include "hodograph/construction/closed_loop.hpp"
 #include "hodograph/construction/planar_spline.hpp"
-#include "hodograph/path/operations.hpp"
+#include "hodograph/frame/adapted_frame.hpp"
 #include "hodograph/surface/sweep_mesh.hpp"
 #include "tests/support/compare.hpp"
 #include "tests/support/json.hpp"
@@ -38,22 +38,18 @@ std::vector<RationalBezier> plane_curve(const SpatialPath<3>& path) {
   return pieces;
 }
 
-/// The roll -2 arg((1 - t) + γ t e^(iψ)) of the periodic frames.
-DynamicPolynomial<Complex<double>> periodic_roll(double psi, double gamma) {
-  return {{1.0, 0.0}, {gamma * std::cos(psi), -gamma * std::sin(psi)}};
-}
-
 TEST(SweepGolden, SweptSurfacesOfClosedLoops) {
   const Json file = test::golden_file("surfaces.json");
   for (const Json& one : file["swept"].list()) {
     SCOPED_TRACE(one["name"].string());
     const double psi = one["input"]["psi"].number(), tol = one["rel_tol"].number();
-    const AnyPath path = closed_loop({one["input"]["xi"].number(), psi}).value();
+    const auto path = closed_loop({one["input"]["xi"].number(), psi}).value();
+    const double gamma = one["expected"]["gamma"].number();
     const auto oval =
         closed_loop({0.0, pi}, {one["input"]["profile_length"].number(), {}, {1, 0, 0, 0}}).value();
-    const Sweep sweep{
-        Motion::along(path, {periodic_roll(psi, one["expected"]["gamma"].number())}).value(),
-        Profile::of(plane_curve(oval), true).value()};
+    const Sweep sweep{Motion::along(path, periodic_roll(path, gamma).value()).value(),
+                      Profile::of(plane_curve(oval), true).value()};
+    EXPECT_EQ(sweep.motion.roll(), nullptr);
     const auto patches = rational_patches(sweep).value();
     for (const Json& point : one["expected"]["points"].list()) {
       const double t = point["t"].number(), u = point["u"].number();
@@ -192,6 +188,106 @@ TEST(SweepMesh, LoopsCloseWhateverTheHolonomy) {
   }
 }
 
+/// A bent path in space, open.
+SpatialPath<3> bent() {
+  const auto loop = closed_loop({0.7, 1.9}, {8.0, {1, -2, 3}, {1, 0, 0, 0}}).value();
+  return SpatialPath<3>::create({0.0, 1.0}, {loop.segment(0)}, false).value();
+}
+
+/// No mesh of the same surface may depend on the frame by more than the tolerance; here the frames
+/// differ and the closed forms of the volume agree: an odd profile about the path sweeps, by
+/// Pappus, its area times the length where its centroid is on the path.
+TEST(SweepMesh, EveryRollIsWithinTheTolerance) {
+  const auto path = bent();
+  const std::vector<Vector2<double>> square{{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1}, {-0.1, 0.1}};
+  const Profile profile = Profile::polygon(square).value();
+  const double volume = 0.04 * path.arc_length();
+  const PreimageTable table(path);
+  for (const FrameRoll& roll :
+       {FrameRoll::none(table), FrameRoll::linear(table, 0.3, 9.0),
+        rotation_minimising_roll(table, 0.2).value(), least_twist_roll(table, 0.0, 4.0).value()}) {
+    const Sweep sweep{Motion::along(path, roll).value(), profile};
+    for (const double tolerance : {0.01, 0.001}) {
+      const auto made = mesh_of(sweep, {tolerance}).value();
+      EXPECT_LE(made.deviation, tolerance);
+      const MeshFacts facts = facts_of(made.mesh);
+      EXPECT_TRUE(facts.is_manifold() && facts.is_closed());
+      EXPECT_EQ(facts.euler_characteristic, 2);
+      EXPECT_LE(std::abs(facts.volume - volume), facts.area * tolerance);
+      // Sampled: the middles of edges along the path against the surface there.
+      const AdaptedFrame frame(path, roll);
+      for (const double xi : {0.0, 0.1234, 0.5, 0.987, 1.0}) {
+        const auto r = frame.at(xi);
+        for (std::size_t i = 0; i < square.size(); ++i) {
+          const Vector3<double> expected =
+              path.position(xi) + square[i].x * r.e2 + square[i].y * r.e3;
+          expect_near(point_of(sweep, 0, xi, i, 0.0).position, expected, 256 * epsilon<double>());
+        }
+      }
+    }
+    EXPECT_EQ(static_cast<bool>(rational_patches(sweep)), roll.kind() == RollKind::none);
+  }
+}
+
+/// The distance of random points of triangles from the surface at the same parameters, which a grid
+/// of rings and columns tells: never above the bound.
+TEST(SweepMesh, SampledDeviationIsWithinTheBound) {
+  const auto path = bent();
+  const PreimageTable table(path);
+  const Profile ellipse = Profile::ellipse(0.3, 0.1).value();
+  test::Random random("SweepMesh.SampledDeviation");
+  for (const FrameRoll& roll : {FrameRoll::none(table), rotation_minimising_roll(table).value(),
+                                FrameRoll::linear(table, 0.0, 20.0)}) {
+    const Sweep sweep{Motion::along(path, roll, {1.0, 0.4, 1.3}).value(), ellipse};
+    const auto made = mesh_of(sweep, {0.004}).value();
+    double worst = 0.0;
+    for (int i = 0; i < 60; ++i) {
+      const std::size_t t = random.index(made.mesh.triangles.size() - made.cap_triangles);
+      double a = random.unit(), b = random.unit();
+      if (a + b > 1) {
+        a = 1 - a;
+        b = 1 - b;
+      }
+      const Vector3<double> x = made.mesh.corner(t, 0) +
+                                a * (made.mesh.corner(t, 1) - made.mesh.corner(t, 0)) +
+                                b * (made.mesh.corner(t, 2) - made.mesh.corner(t, 0));
+      // Downhill on the distance from the surface, from the best of many points.
+      double nearest = std::numeric_limits<double>::infinity(), v_best = 0, w_best = 0;
+      const auto consider = [&](double v, double w) {  // w counts pieces, round and round
+        v = std::clamp(v, 0.0, 1.0);
+        w = std::fmod(w + 4.0, 4.0);
+        const double piece = std::min(3.0, std::floor(w));
+        const auto point = point_of(sweep, 0, v, static_cast<std::size_t>(piece), w - piece);
+        const double d = norm(point.position - x);
+        if (!(d < nearest)) return false;
+        nearest = d;
+        v_best = v;
+        w_best = w;
+        return true;
+      };
+      constexpr int coarse = 300;
+      for (int iv = 0; iv <= coarse; ++iv) {
+        const double v = static_cast<double>(iv) / coarse;
+        if (norm(path.position(v) - x) > 0.6) continue;
+        for (int iw = 0; iw < 64; ++iw) consider(v, iw / 16.0);
+      }
+      double step = 1.0;
+      for (int tries = 0; tries < 400 && step > 1.0 / 4096; ++tries) {
+        bool better = false;
+        const double v = v_best, w = w_best;
+        for (int k = 0; k < 8; ++k) {
+          const double angle = pi * k / 4;
+          better |= consider(v + step * std::cos(angle) / coarse, w + step * std::sin(angle) / 8);
+        }
+        if (!better) step /= 2;
+      }
+      worst = std::max(worst, nearest);
+    }
+    EXPECT_LE(worst, made.deviation);
+    EXPECT_GT(worst, made.deviation / 16);
+  }
+}
+
 TEST(SweepMesh, RibbonHasABoundary) {
   const std::vector<Vector2<double>> edge{{-0.2, 0.0}, {0.3, 0.0}};
   const Profile line = Profile::polyline(edge).value();
@@ -253,9 +349,11 @@ TEST(SweepMotion, RefusesCornersStandstillsAndScales) {
             FaultCode::outside_domain);
   EXPECT_EQ(Motion::along(ring(1.0), MotionFrame::closing, {1.0, 2.0}).fault().code,
             FaultCode::outside_domain);
-  // A loop's Euler-Rodrigues frame does not return.
-  const AnyPath loop = closed_loop({1.0, 1.0}).value();
+  // A rotation-minimising frame does not return, nor does a loop's Euler-Rodrigues frame.
+  const auto loop = closed_loop({1.0, 1.0}).value();
   EXPECT_EQ(Motion::along(loop, MotionFrame::euler_rodrigues).fault().code,
+            FaultCode::not_continuous);
+  EXPECT_EQ(Motion::along(loop, rotation_minimising_roll(loop).value()).fault().code,
             FaultCode::not_continuous);
   // The limit members stand still at their start.
   const AnyPath limit = closed_loop({std::numeric_limits<double>::infinity(), 1.0}).value();

@@ -4,7 +4,7 @@
 // A point p of the carried frame goes to  c + λ R p,  R = [B i B*, B j B*, B k B*]/|B|². Along a
 // path, c is the path and B its preimage times a complex polynomial q on the right, whose argument
 // is half the roll: e₁ is the tangent, and everything is rational. A roll that is not rational is
-// carried beside it, as a MotionRoll.
+// carried beside it, as a FrameRoll.
 #pragma once
 
 #include <cstddef>
@@ -16,6 +16,7 @@
 #include "hodograph/bernstein/dynamic_polynomial.hpp"
 #include "hodograph/foundation/enclosure.hpp"
 #include "hodograph/foundation/result.hpp"
+#include "hodograph/frame/roll.hpp"
 #include "hodograph/path/any_path.hpp"
 
 namespace hodograph {
@@ -29,22 +30,6 @@ struct MotionPiece {
   DynamicPolynomial<double> scale{1.0};             ///< λ
 };
 
-/// A roll θ(ξ) that is added to the frame of the pieces: from e₂ to e₃, radians.
-class MotionRoll {
- public:
-  virtual ~MotionRoll() = default;
-  virtual double angle(double xi) const = 0;
-  /// θ', per unit ξ.
-  virtual double rate(double xi) const = 0;
-  /// Bounds of |θ'| and |θ''| on [from, to], rounding included.
-  struct Range {
-    double rate = 0.0, rate_change = 0.0;
-  };
-  virtual Range range(double from, double to) const = 0;
-  /// Whether it makes the frame rotation-minimising: then χ₁ + θ' = 0, and `range` is not asked.
-  virtual bool is_rotation_minimising() const { return false; }
-};
-
 /// Which frame goes along a path.
 enum class MotionFrame {
   /// The Euler-Rodrigues frame; where it jumps by a roll at a knot, as on a path that is only G¹,
@@ -54,6 +39,10 @@ enum class MotionFrame {
   /// away by the rational roll -2 arg((1 - t) + t e^(iφ/2)) in parts proportional to arc length.
   closing,
 };
+
+/// A path of the plane as one of space in z = 0, with the preimage a + b k for a + bi: its frame is
+/// (tangent, left normal, k). A path of space as it is.
+AnyPath in_space(const AnyPath& path);
 
 /// Where a motion is and how it moves, per unit of a piece's local parameter.
 struct MotionState {
@@ -74,7 +63,7 @@ struct MotionBounds {
   double least_advance = 0.0;                                ///< ≤ |c'|
   double rounding = 0.0;        ///< ≥ the error of a computed position c
   double frame_rounding = 0.0;  ///< ≥ the error of a computed unit vector of the frame
-  /// χ₂ and χ₃ of the frame of the pieces (before a MotionRoll).
+  /// χ₂ and χ₃ of the frame of the pieces (before a FrameRoll).
   Enclosure across_2{}, across_3{};
   bool is_bounded() const;
 };
@@ -88,15 +77,10 @@ class Motion {
   /// zero_speed (the path stands still at a knot).
   static Result<Motion> along(const AnyPath& path, MotionFrame frame = MotionFrame::closing,
                               const std::vector<double>& scale = {1.0});
-  /// The same with a roll θ(ξ) beside the Euler-Rodrigues frame as the path has it (no steps at
-  /// knots are undone). Faults: as above; not_continuous also where the rolled frame jumps.
-  static Result<Motion> along(const AnyPath& path, std::shared_ptr<const MotionRoll> roll,
-                              const std::vector<double>& scale = {1.0});
-  /// The same with the rational roll 2 arg q_k on segment k, q_k a complex polynomial in its local
-  /// parameter, not zero on [0, 1]: the periodic frames of closed loops.
-  /// Faults: as above; mismatched_size (one q a segment).
-  static Result<Motion> along(const AnyPath& path,
-                              const std::vector<DynamicPolynomial<Complex<double>>>& rolls,
+  /// The same with the Euler-Rodrigues frame as the path has it (no steps at knots are undone) and
+  /// a roll of that path. None and periodic rolls are rational. Faults: as above; not_continuous
+  /// also where the rolled frame jumps, as Frenet's does at an inflection (`value` is its ξ).
+  static Result<Motion> along(const AnyPath& path, const FrameRoll& roll,
                               const std::vector<double>& scale = {1.0});
   /// Any polynomial motion with positive scale, of one piece over [0, 1]: the carrier of a tubular
   /// family S(t, u) = ρ(u) R(u) r(t) + c(u), R the rotation of Q(u).
@@ -110,7 +94,7 @@ class Motion {
   /// Whether e₁ is the tangent of c.
   bool is_adapted() const { return adapted_; }
   /// The roll beside the pieces' frames; null where there is none, and everything is rational.
-  const MotionRoll* roll() const { return roll_.get(); }
+  const FrameRoll* roll() const { return roll_.get(); }
   /// Largest scale, an upper bound.
   double largest_scale() const { return largest_scale_; }
   /// Smallest scale, a lower bound, positive.
@@ -123,9 +107,11 @@ class Motion {
   Motion() = default;
   std::optional<Fault> set_scale(const std::vector<double>& scale);
   std::optional<Fault> check_frames() const;
+  double roll_angle(std::size_t piece, double v) const;
+  double roll_rate(std::size_t piece, double v) const;
 
   std::vector<MotionPiece> pieces_;
-  std::shared_ptr<const MotionRoll> roll_;
+  std::shared_ptr<const FrameRoll> roll_;
   bool closed_ = false, adapted_ = true;
   double largest_scale_ = 1.0, least_scale_ = 1.0;
 };
