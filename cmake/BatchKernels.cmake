@@ -23,6 +23,7 @@ if(HODOGRAPH_WIDE_KERNELS AND CMAKE_SIZEOF_VOID_P EQUAL 8
   hodograph_kernels(avx2 -mavx2)
   hodograph_kernels(avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/src/path/kernel_dispatch.cpp"
+    "${PROJECT_SOURCE_DIR}/src/frame/rolled_frames.cpp"
     "${PROJECT_SOURCE_DIR}/src/construction/hermite_batch.cpp"
     "${PROJECT_SOURCE_DIR}/src/construction/planar_batch.cpp"
     PROPERTIES COMPILE_DEFINITIONS HODOGRAPH_X86_KERNELS=1)

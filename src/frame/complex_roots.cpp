@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "complex_roots.hpp"
+#include "frame/complex_roots.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "rows.hpp"
+#include "frame/rows.hpp"
 
 namespace hodograph::frame_detail {
 

@@ -2,7 +2,7 @@
 // What periodic rational frames share.
 #pragma once
 
-#include "segment_rates.hpp"
+#include "frame/segment_rates.hpp"
 #include "hodograph/foundation/result.hpp"
 
 namespace hodograph::frame_detail {

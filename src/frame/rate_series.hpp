@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "rows.hpp"
+#include "frame/rows.hpp"
 
 namespace hodograph::frame_detail {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "roll_builder.hpp"
+#include "frame/roll_builder.hpp"
 
 namespace hodograph {
 
@@ -106,31 +106,46 @@ namespace {
 
 constexpr std::size_t size = FrameRoll::piece_degree + 1;
 
+/// The power coefficients of T_k, even ones apart from odd ones: at [k/2][i] that of x^(2i) for
+/// even k, of x^(2i+1) for odd k.
+struct ChebyshevPowers {
+  static constexpr std::size_t half = (size + 1) / 2;
+  using Table = std::array<std::array<double, half>, half>;
+  Table even{}, odd{};
+  ChebyshevPowers() {
+    std::array<std::array<double, size>, size> row{};
+    row[0][0] = 1.0;
+    row[1][1] = 1.0;
+    for (std::size_t k = 2; k < size; ++k) {
+      for (std::size_t i = 0; i < size; ++i) {
+        row[k][i] = (i > 0 ? 2.0 * row[k - 1][i - 1] : 0.0) - row[k - 2][i];
+      }
+    }
+    for (std::size_t k = 0; k < size; ++k) {
+      for (std::size_t i = k % 2; i <= k; i += 2)
+        (k % 2 == 0 ? even : odd)[k / 2][i / 2] = row[k][i];
+    }
+  }
+};
+
 /// The antiderivative of a series by u as a polynomial in x, 0 at x = 0.
 std::array<double, size> antiderivative(const RateSeries& rate) {
+  static const ChebyshevPowers powers;
+  constexpr std::size_t half = ChebyshevPowers::half;
   // ∫ T_k = T_(k+1)/(2(k+1)) - T_(k-1)/(2(k-1)), ∫ T_0 = T_1, ∫ T_1 = T_2/4.
   std::array<double, size + 2> c{};
   for (std::size_t k = 0; k < rate.c.size(); ++k) c[k] = rate.c[k];
-  std::array<double, size> t{};
-  const double half = 0.5 * (rate.end - rate.begin);
-  t[1] = half * (c[0] - 0.5 * c[2]);
-  for (std::size_t k = 2; k < size; ++k) {
-    t[k] = half * (c[k - 1] - c[k + 1]) / (2.0 * static_cast<double>(k));
+  const double scale = 0.5 * (rate.end - rate.begin);
+  std::array<double, half> even{}, odd{};
+  for (std::size_t k = size; k-- > 1;) {
+    const double t = k == 1 ? scale * (c[0] - 0.5 * c[2])
+                            : scale * (c[k - 1] - c[k + 1]) / (2.0 * static_cast<double>(k));
+    auto& sum = k % 2 == 0 ? even : odd;
+    const auto& row = (k % 2 == 0 ? powers.even : powers.odd)[k / 2];
+    for (std::size_t i = 0; i < half; ++i) sum[i] += t * row[i];
   }
-  // T_(k+1) = 2 x T_k - T_(k-1), summed by powers.
-  std::array<double, size> before{}, now{}, power{};
-  before[0] = 1.0;
-  now[1] = 1.0;
-  for (std::size_t k = 1; k < size; ++k) {
-    for (std::size_t i = 0; i <= k; ++i) power[i] += t[k] * now[i];
-    std::array<double, size> next{};
-    for (std::size_t i = 0; i < size; ++i) {
-      next[i] = (i > 0 ? 2.0 * now[i - 1] : 0.0) - before[i];
-    }
-    before = now;
-    now = next;
-  }
-  power[0] = 0.0;
+  std::array<double, size> power{};
+  for (std::size_t k = 1; k < size; ++k) power[k] = (k % 2 == 0 ? even : odd)[k / 2];
   return power;
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "roll_integral.hpp"
-#include "segment_rates.hpp"
+#include "frame/roll_integral.hpp"
+#include "frame/segment_rates.hpp"
 #include "hodograph/frame/roll.hpp"
 
 namespace hodograph {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "segment_rates.hpp"
+#include "frame/segment_rates.hpp"
 #include "hodograph/frame/roll.hpp"
 
 namespace hodograph::frame_detail {
@@ -20,11 +20,13 @@ inline constexpr double closed_form_error = 64.0 * 0x1.0p-52;
 /// not_continuous, with the index of the knot.
 Result<std::vector<KnotTurn>> knot_turns(const PreimageTable& path);
 
-/// The roll with dθ/du = rate(k, A) σ² /σ - 2N/σ (no rate: 0) from θ = begin, continuous as a
-/// frame.
-Result<FrameRoll> chained_roll(
-    const PreimageTable& path, RollKind kind, double begin, const std::vector<KnotTurn>& turns,
-    const std::function<double(std::size_t, const ScaledPreimage&)>& rate);
+/// What to add to -2N: k, for the rate k σ² /σ - 2N/σ by u; nothing for 0.
+using EvenRate = std::function<double(std::size_t segment, const ScaledPreimage&)>;
+
+/// The roll with that rate from θ = begin, continuous as a frame.
+Result<FrameRoll> chained_roll(const PreimageTable& path, RollKind kind, double begin,
+                               const std::vector<KnotTurn>& turns, const EvenRate& even,
+                               RollIntegration integration);
 
 /// The fault of an angle that is not finite.
 std::optional<Fault> angle_fault(double angle, const char* quantity);

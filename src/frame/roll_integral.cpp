@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "roll_integral.hpp"
+#include "frame/roll_integral.hpp"
 
 #include <complex>
 #include <cstdint>
 #include <numbers>
 
-#include "complex_roots.hpp"
+#include "frame/complex_roots.hpp"
 #include "hodograph/foundation/accuracy.hpp"
 
 namespace hodograph::frame_detail {

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "rows.hpp"
+#include "frame/rows.hpp"
 #include "hodograph/algebra/quaternion.hpp"
 
 namespace hodograph::frame_detail {

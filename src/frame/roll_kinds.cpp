@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "roll_builder.hpp"
-#include "roll_chain.hpp"
+#include "frame/roll_builder.hpp"
+#include "frame/roll_chain.hpp"
 
 namespace hodograph {
 
@@ -61,31 +61,33 @@ Result<std::vector<KnotTurn>> knot_turns(const PreimageTable& path) {
   return turns;
 }
 
-Result<FrameRoll> chained_roll(
-    const PreimageTable& path, RollKind kind, double begin, const std::vector<KnotTurn>& turns,
-    const std::function<double(std::size_t, const ScaledPreimage&)>& rate) {
+Result<FrameRoll> chained_roll(const PreimageTable& path, RollKind kind, double begin,
+                               const std::vector<KnotTurn>& turns, const EvenRate& even,
+                               RollIntegration integration) {
   RollBuilder builder(path, kind);
+  const ErfForms<double> forms(path.degree);
   double theta = begin;
   for (std::size_t k = 0; k < path.segment_count(); ++k) {
     const ScaledPreimage preimage = scaled_preimage(path, k);
     if (k > 0) theta = builder.end() + turns[k - 1].roll;
-    Fraction<double> erf = erf_rate(preimage.a);
+    Fraction<double> erf = forms.rate(preimage.a);
     RollBuilder::SegmentRoll segment;
-    const double even = rate ? rate(k, preimage) : 0.0;
-    if (!rate) {
+    if (!even) {
       if (auto helical = helical_part(preimage.a)) {
         segment.argument = std::move(helical->w);
         segment.factor = -helical->factor;
-      } else if (auto closed = integral_by_partial_fractions(erf.numerator, erf.denominator)) {
-        if (closed->error <= closed_form_error * (1.0 + std::abs(closed->value))) {
+      } else if (integration == RollIntegration::closed_form) {
+        const auto closed = integral_by_partial_fractions(erf.numerator, erf.denominator);
+        if (closed && closed->error <= closed_form_error * (1.0 + std::abs(closed->value))) {
           segment.change = Estimated{-closed->value, closed->error};
         }
       }
     }
     segment.rate.numerator = scaled(-1.0, std::move(erf.numerator));
-    if (rate) {
+    if (even) {
       segment.rate.numerator =
-          sum(segment.rate.numerator, scaled(even, product(erf.denominator, erf.denominator)));
+          sum(segment.rate.numerator,
+              scaled(even(k, preimage), product(erf.denominator, erf.denominator)));
     }
     segment.rate.denominator = std::move(erf.denominator);
     if (!builder.append(std::move(segment), theta)) {
@@ -107,11 +109,13 @@ std::optional<Fault> angle_fault(double angle, const char* quantity) {
 
 }  // namespace frame_detail
 
-Result<FrameRoll> rotation_minimising_roll(const PreimageTable& path, double begin) {
+Result<FrameRoll> rotation_minimising_roll(const PreimageTable& path, double begin,
+                                           RollIntegration integration) {
   if (auto fault = frame_detail::angle_fault(begin, "begin")) return *std::move(fault);
   const auto turns = frame_detail::knot_turns(path);
   if (!turns) return turns.fault();
-  return frame_detail::chained_roll(path, RollKind::rotation_minimising, begin, *turns, {});
+  return frame_detail::chained_roll(path, RollKind::rotation_minimising, begin, *turns, {},
+                                    integration);
 }
 
 Result<FrameRoll> least_twist_roll(const PreimageTable& path, double begin,
@@ -131,7 +135,8 @@ Result<FrameRoll> least_twist_roll(const PreimageTable& path, double begin,
   }
   const auto turns = frame_detail::knot_turns(path);
   if (!turns) return turns.fault();
-  auto minimising = frame_detail::chained_roll(path, RollKind::least_twist, begin, *turns, {});
+  auto minimising = frame_detail::chained_roll(path, RollKind::least_twist, begin, *turns, {},
+                                               RollIntegration::series);
   if (!minimising || (!end && !path.closed)) return minimising;
   const double last = minimising->angle_at_end(path.segment_count() - 1);
   // On a closed path: by how much the frame has turned when it comes back.
@@ -156,11 +161,12 @@ Result<FrameRoll> least_twist_roll(const PreimageTable& path, double begin,
     length += mean * unit(preimage, k);
   }
   const double even = -left_over / length;
-  auto result =
-      frame_detail::chained_roll(path, RollKind::least_twist, begin, *turns,
-                                 [&](std::size_t k, const frame_detail::ScaledPreimage& preimage) {
-                                   return even * unit(preimage, k);
-                                 });
+  auto result = frame_detail::chained_roll(
+      path, RollKind::least_twist, begin, *turns,
+      [&](std::size_t k, const frame_detail::ScaledPreimage& preimage) {
+        return even * unit(preimage, k);
+      },
+      RollIntegration::series);
   if (!result) return result;
   RollBuilder::set_twist_rate(*result, std::ldexp(even, -2 * exponent));
   return result;

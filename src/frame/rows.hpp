@@ -153,21 +153,10 @@ inline void jet(const Row<double>& f, double u, std::span<double> result) {
   }
 }
 
-/// The halves of f, on [0, 1/2] and [1/2, 1].
-template <class S>
-std::pair<Row<S>, Row<S>> halves(Row<S> f) {
-  Row<S> left(f.size());
-  const S half(0.5);
-  for (std::size_t r = f.size(); r > 0; --r) {
-    left[f.size() - r] = f[0];
-    for (std::size_t i = 0; i + 1 < r; ++i) f[i] = half * (f[i] + f[i + 1]);
-  }
-  return {std::move(left), std::move(f)};
-}
-
 /// f on [a, b], 0 ≤ a ≤ b ≤ 1, again on [0, 1].
-template <class S>
-Row<S> restricted(Row<S> f, double a, double b) {
+template <class V>
+Row<V> restricted(Row<V> f, double a, double b) {
+  using S = scalar_of_t<V>;
   const std::size_t n = f.size() - 1;
   if (b < 1.0) {
     const S right(b), left = S(1.0) - right;

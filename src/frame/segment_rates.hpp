@@ -4,8 +4,8 @@
 
 #include <cstddef>
 
-#include "rate_series.hpp"
-#include "rows.hpp"
+#include "frame/rate_series.hpp"
+#include "frame/rows.hpp"
 #include "hodograph/frame/preimage_table.hpp"
 
 namespace hodograph::frame_detail {
@@ -25,12 +25,38 @@ Row<Quaternion<S>> converted(const Row<Quaternion<double>>& a) {
   return result;
 }
 
-/// 2N and σ, of degrees 2n - 2 and 2n: the tangential rate of the ERF is 2N/σ per unit u.
+/// 2N and σ, of degrees 2n - 2 and 2n: the tangential rate of the ERF is 2N/σ per unit u. The
+/// weights of the products once for all segments of a path.
+template <class S>
+class ErfForms {
+ public:
+  explicit ErfForms(std::size_t degree)
+      : degree_(degree),
+        turning_(degree > 0 ? degree - 1 : 0, degree > 0 ? degree - 1 : 0),
+        square_(degree, degree) {}
+
+  Fraction<S> rate(const Row<Quaternion<S>>& a) const {
+    using Span = std::span<const Quaternion<S>>;
+    Fraction<S> result;
+    if (degree_ == 0) {
+      result.numerator = {S(0.0)};
+    } else {
+      const auto form = [](const auto& p, const auto& q) { return twist_form(p, q); };
+      result.numerator = scaled(S(2.0 * static_cast<double>(degree_)),
+                                turning_.product(Span(a).first(degree_), Span(a).subspan(1), form));
+    }
+    result.denominator = square_.product(
+        Span(a), Span(a), [](const auto& p, const auto& q) { return speed_form(p, q); });
+    return result;
+  }
+
+ private:
+  std::size_t degree_;
+  ProductTable<S> turning_, square_;
+};
 template <class S>
 Fraction<S> erf_rate(const Row<Quaternion<S>>& a) {
-  const S factor(2.0 * static_cast<double>(a.size() - 1));
-  return {scaled(factor, turning(a, [](const auto& p, const auto& q) { return twist_form(p, q); })),
-          product(a, a, [](const auto& p, const auto& q) { return speed_form(p, q); })};
+  return ErfForms<S>(a.size() - 1).rate(a);
 }
 
 /// factor (arg w)' = factor m turning/|w|², m the degree of w.

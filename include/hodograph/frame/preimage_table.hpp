@@ -23,6 +23,7 @@ struct PreimageTable {
   template <std::size_t n>
   PreimageTable(const SpatialPath<n>& path)
       : degree(n), closed(path.is_closed()), knots(path.knots()) {
+    static_assert(n <= maximum_dynamic_degree);
     coefficients.reserve(path.segment_count() * (n + 1));
     for (const auto& curve : path.segments()) {
       for (const auto& a : curve.preimage().coefficients()) coefficients.push_back(a);

@@ -37,6 +37,12 @@ enum class RollMethod {
   quadrature,         ///< the sum of the integrals of certified series
 };
 
+/// How to integrate where there is a choice.
+enum class RollIntegration {
+  series,       ///< certified series: quicker, with a rigorous bound of what they leave out
+  closed_form,  ///< partial fractions over whole segments, where their error is estimated small
+};
+
 /// A parameter where the curvature vanishes and the principal normal changes to its opposite (an
 /// inflection), which the Frenet roll takes as a jump by π; within `rounding` of the true one.
 struct FrenetInflection {
@@ -135,11 +141,12 @@ class FrameRoll {
 /// The rotation-minimising roll, θ(ξ_0) = begin: θ' = -χ₁, continuous over knots; where the ERF
 /// jumps by a roll at a knot, θ jumps back, so that the frame is continuous.
 /// Closed form on helical segments, θ = -2 sin(angle to the plane across the axis) arg w with the
-/// continuous argument; else partial fractions over the roots of σ where their error is estimated
-/// below the stated limit, certified series otherwise: see method().
+/// continuous argument. Elsewhere by certified series, or over whole segments by partial fractions
+/// where their error is estimated below 64 ε (1 + |change|), and by series otherwise: see method().
 /// Faults: not_finite (begin), zero_speed (index: the segment where σ may vanish), not_continuous
 /// (index: the knot where the tangent breaks).
-Result<FrameRoll> rotation_minimising_roll(const PreimageTable& path, double begin = 0.0);
+Result<FrameRoll> rotation_minimising_roll(const PreimageTable& path, double begin = 0.0,
+                                           RollIntegration integration = RollIntegration::series);
 
 /// The roll whose e₂ is the principal normal. Where the curvature vanishes along the way the
 /// normal turns to its opposite and θ jumps by π (inflections()); at a knot it may jump by
