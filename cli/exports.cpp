@@ -161,6 +161,10 @@ void ExportFlags::add_to(Command& command, const std::string& chord_default) {
          "of the polynomials (default: 1e-6 of the length)");
 }
 
+double ExportFlags::near(double default_chord) const {
+  return (*given_)(Given::chord) ? chord : default_chord;
+}
+
 bool ExportFlags::any() const {
   return !(geojson.empty() && samples.empty() && crazyswarm.empty() && qgroundcontrol.empty() &&
            waypoints.empty());
@@ -199,7 +203,7 @@ std::string ExportFlags::write(const PathDocument& document, GeoJsonScene scene,
                                double default_chord) const {
   if (!any()) return "";
   const Given& given = *given_;
-  const double near = given(Given::chord) ? chord : default_chord;
+  const double within = near(default_chord);
   const Flight flown = flight();
   const TimedMotion motion = motion_of(document.path, flown);
   std::string written;
@@ -212,10 +216,10 @@ std::string ExportFlags::write(const PathDocument& document, GeoJsonScene scene,
   if (!geojson.empty()) {
     scene.datum = datum_of(datum);
     scene.altitude = flown.altitude.value_or(0.0);
-    scene.paths.insert(scene.paths.begin(), line_of(document, near));
+    scene.paths.insert(scene.paths.begin(), line_of(document, within));
     const std::size_t points = scene.paths[0].points.size();
     add(geojson, to_geojson(scene).value(),
-        "a line of " + counted(points, "point") + ", within " + bound_text(near) +
+        "a line of " + counted(points, "point") + ", within " + to_text(within) +
             " of the path, certified");
   }
   if (!samples.empty()) {
@@ -232,10 +236,10 @@ std::string ExportFlags::write(const PathDocument& document, GeoJsonScene scene,
             bound_text(polynomials.error) + " of the path at every instant, certified");
   }
   if (!(qgroundcontrol.empty() && waypoints.empty())) {
-    const std::vector<LocalWaypoint> points = waypoints_of(document.path, motion, flown, near);
+    const std::vector<LocalWaypoint> points = waypoints_of(document.path, motion, flown, within);
     const Mission planned = mission(points, *datum_of(datum)).value();
     const std::string what = counted(points.size(), "waypoint") + ", lines between them within " +
-                             bound_text(near) + " of the path, certified";
+                             to_text(within) + " of the path, certified";
     if (!qgroundcontrol.empty()) add(qgroundcontrol, to_qgroundcontrol_plan(planned).value(), what);
     if (!waypoints.empty()) add(waypoints, to_waypoint_file(planned).value(), what);
   }

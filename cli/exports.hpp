@@ -44,6 +44,8 @@ struct ExportFlags {
   void add_to(Command& command, const std::string& chord_default);
   /// Refuses what excludes each other; to be called before the work. Throws Error.
   void check() const;
+  /// The distance of the chords: the option's, or the default.
+  double near(double default_chord) const;
   /// Whether a file is named.
   bool any() const;
   /// Writes the files that are named, the path first in the scene, and returns lines that say so,

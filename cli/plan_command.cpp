@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // hodograph plan: a path among obstacles that keeps a turn radius and a clearance, with the proof.
 #include <chrono>
+#include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "cli/commands.hpp"
+#include "cli/exports.hpp"
 #include "cli/fitting.hpp"
 #include "cli/options.hpp"
+#include "cli/plan_comparison.hpp"
 #include "cli/plans.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/geojson.hpp"
@@ -20,6 +23,8 @@ struct PlanFlags {
   VehicleLimits limits;
   std::optional<double> corner_offset;
   std::size_t most_attempts = PlanRequest{}.most_attempts;
+  bool compare = false;
+  ExportFlags exports;
   OutputFlags output;
 };
 
@@ -33,7 +38,13 @@ Vector2<double> place(const std::vector<double>& given, const std::optional<Vect
                     std::nullopt, what, std::nullopt, std::nullopt});
 }
 
+double default_chord(const PlanFlags& flags) {
+  constexpr double share = 0.01;  // of the turn radius
+  return share * flags.limits.turn_radius;
+}
+
 void run(const PlanFlags& flags) {
+  flags.exports.check();
   const auto began = std::chrono::steady_clock::now();
   const WorldDocument document = load_world(flags.world).value();
   PlanRequest request;
@@ -52,7 +63,33 @@ void run(const PlanFlags& flags) {
   report.more = rows_of(plan, planner.world());
   report.surroundings = outlines(planner.world());
   report.curvature_limit = 1.0 / flags.limits.turn_radius;
+  if (!flags.output.report.empty()) {
+    for (Series& series : grown_outlines(planner.world(), flags.limits.distance())) {
+      report.surroundings.push_back(std::move(series));
+    }
+    report.surroundings.push_back(polyline_series(plan.polyline));
+  }
+  GeoJsonScene scene{planner.world(), request.start, request.goal};
+  if (flags.compare) {
+    const std::vector<ComparedPlan> compared = compared_plans(plan, planner.world());
+    for (auto& row : rows_of(compared, plan, planner.world(), flags.limits)) {
+      report.more.push_back(std::move(row));
+    }
+    draw(report, compared, plan, flags.limits);
+    for (const ComparedPlan& one : compared) {
+      if (!one.plan || flags.exports.geojson.empty()) continue;
+      scene.paths.push_back(
+          line_of(made_comparison(one, "").document, flags.exports.near(default_chord(flags))));
+    }
+  }
   write_files(made.document, report, flags.output);
+  const std::string written =
+      flags.exports.write(made.document, std::move(scene), default_chord(flags));
+  if (flags.output.document == "-" || flags.output.report == "-") {
+    std::fputs(written.c_str(), stderr);
+  } else {
+    print(written);
+  }
 }
 
 }  // namespace
@@ -94,11 +131,18 @@ std::unique_ptr<Command> plan_command(CLI::App& program) {
       ->option("--attempts", flags->most_attempts, "N",
                "how many polylines are tried where corners have no room (default 64)")
       .whole_number(1, 100000);
+  command->flag("--compare", flags->compare,
+                "beside it the paths by the rules T1 and T2 through the polyline's points: length, "
+                "curvature, clearance");
   flags->output.add_to(*command, "the path document (default plan.json; '-': standard output)",
                        "an HTML report with pictures");
+  flags->exports.add_to(*command, "1 % of the turn radius");
   command->examples(
       {"hodograph plan harbour.geojson --turn-radius 3 --clearance 1 --report plan.html",
        "hodograph plan harbour.geojson --start 0,0 --goal 60,40 --turn-radius 3 --corners gentlest",
+       "hodograph plan harbour.geojson --turn-radius 3 --compare --report plan.html",
+       "hodograph plan harbour.geojson --turn-radius 3 --clearance 1 --qgroundcontrol harbour.plan "
+       "--datum 47.4,8.5,400 --altitude 30 --speed 5",
        "hodograph check plan.json harbour.geojson"});
   command->note(
       "The turn radius and the clearance hold for every point of the path, not for samples, and\n"

@@ -12,6 +12,7 @@
 #include "cli/options.hpp"
 #include "cli/polynomial_flight.hpp"
 #include "cli/requests/batch.hpp"
+#include "cli/swarm_exports.hpp"
 #include "cli/swarm_pictures.hpp"
 #include "cli/swarms.hpp"
 #include "cli/terminal.hpp"
@@ -25,6 +26,7 @@ struct SwarmFlags {
   double arrival = 0.0, length = 0.0, excess = 0.0, clearance = 0.0, ellipsoid = 1.0;
   double longest_delay = 0.0, latest_excess = 0.0, tolerance = 0.0;
   std::size_t delays = 0, later_arrivals = 0, closest = 10;
+  SwarmExportFlags exports;
   bool deconflict = false, as_json = false, tolerance_given = false;
   /// The members of the file that options replace.
   std::vector<std::pair<std::string, Json>> replaced, moves;
@@ -160,6 +162,7 @@ bool ends_in_html(const std::string& file) {
 }
 
 void run(const SwarmFlags& flags) {
+  flags.exports.check();
   const SwarmFacts facts = swarm_facts(request_of(flags));
   std::string written;
   write_documents(flags, facts, written);
@@ -177,6 +180,7 @@ void run(const SwarmFlags& flags) {
     write_text(flags.animation,
                ends_in_html(flags.animation) ? animated_html(facts) : animated_svg(facts));
   }
+  written += flags.exports.write(facts);
   std::string text;
   if (flags.as_json) {
     Json json = json_of(facts, flags.closest, false, false);
@@ -252,6 +256,7 @@ std::unique_ptr<Command> swarm_command(CLI::App& program) {
   Option tolerance = command->option("--tolerance", flags->tolerance, "LENGTH",
                                      "of those polynomials (default: 1e-6 of the longest path)");
   tolerance.needs(crazyswarm);
+  flags->exports.add_to(*command);
   command->group("Output");
   command->option("--closest", flags->closest, "N", "how many pairs are listed (default 10)")
       .whole_number(0, 1000000);
@@ -260,6 +265,7 @@ std::unique_ptr<Command> swarm_command(CLI::App& program) {
       {"hodograph swarm swarm.json -o fleet --svg swarm.svg --animation swarm.html",
        "hodograph swarm swarm.json --clearance 0.03 --deconflict --matrix separations.csv",
        "hodograph swarm swarm.json --least separated --crazyswarm trajectories",
+       "hodograph swarm swarm.json --qgroundcontrol missions --datum 47.4,8.5,400",
        "hodograph swarm fleet/swarm.json --clearance 0.01 --json"});
   command->note("All distances hold for every instant, rounding included; they are not samples.");
   command->run([=] {

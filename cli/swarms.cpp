@@ -64,6 +64,7 @@ ArrivingVehicle arriving_vehicle(Members& vehicle, std::string id) {
   result.most_curvature = vehicle.maybe_number("most_curvature");
   result.presence = presence_of(
       vehicle.word("stands", {std::begin(standing_words), std::end(standing_words)}, "always"));
+  result.altitude = vehicle.number("altitude", 0.0);
   vehicle.require_all_known();
   return result;
 }
@@ -72,6 +73,7 @@ FlyingVehicle flying_vehicle(Members& vehicle, std::string id) {
   FlyingVehicle result{std::move(id), vehicle.document()};
   result.flight = flight_of(vehicle);
   result.radius = vehicle.number("radius", 0.0);
+  result.fixed = vehicle.truth("fixed", false);
   vehicle.require_all_known();
   return result;
 }
@@ -149,12 +151,14 @@ double arrival_time(const std::vector<ArrivingVehicle>& vehicles, const ArrivalC
   return time;
 }
 
-SimultaneousArrival arrival_of(const SwarmRequest& request) {
+SimultaneousArrival arrival_of(const SwarmRequest& request, std::span<const Vehicle> others) {
   const ArrivalChoice& choice = request.arrival;
   if (choice.arrival || choice.length || choice.excess) {
     return arrival_at(request.arriving, arrival_time(request.arriving, choice)).value();
   }
-  if (choice.separated) return least_separated_arrival(request.arriving, request.goal).value();
+  if (choice.separated) {
+    return least_separated_arrival(request.arriving, request.goal, {}, others).value();
+  }
   return least_arrival(request.arriving).value();
 }
 
@@ -170,58 +174,75 @@ PathDocument document_of(const ArrivingPath& path, const ArrivingVehicle& vehicl
   return document;
 }
 
-void fly_arriving(const SwarmRequest& request, SwarmFacts& facts) {
-  SimultaneousArrival plan = arrival_of(request);
+/// The longest delay that is tried where none is given.
+double delay_limit(const SwarmRequest& request, double longest_flight) {
+  constexpr double share = 0.125;
+  return request.longest_delay_given ? request.deconflict->departure.longest_delay
+                                     : share * longest_flight;
+}
+
+/// Makes the paths of the arriving vehicles, beside others that stay as they are.
+SimultaneousArrival fly_arriving(const SwarmRequest& request, std::span<const Vehicle> others,
+                                 SwarmFacts& facts) {
+  SimultaneousArrival plan = arrival_of(request, others);
   if (request.deconflict) {
     ArrivalMoves moves = *request.deconflict;
-    if (!request.longest_delay_given) {
-      constexpr double share = 0.125;  // of the longest flight
-      double longest = 0.0;
-      for (const ArrivingVehicle& v : request.arriving) {
-        longest = std::max(longest, plan.arrival - v.departure);
-      }
-      moves.departure.longest_delay = share * longest;
+    double longest = 0.0;
+    for (const ArrivingVehicle& v : request.arriving) {
+      longest = std::max(longest, plan.arrival - v.departure);
     }
+    moves.departure.longest_delay = delay_limit(request, longest);
     SeparatedArrival apart =
-        deconflict_arrival(request.arriving, plan.arrival, request.goal, moves).value();
+        deconflict_arrival(request.arriving, plan.arrival, request.goal, moves, others).value();
     facts.effort = apart.effort;
     plan = std::move(apart.plan);
   }
   facts.arrival = plan.arrival;
-  facts.vehicles = std::move(plan.vehicles);
-  facts.made = std::move(plan.paths);
-  for (std::size_t i = 0; i < facts.made.size(); ++i) {
-    facts.documents.push_back(document_of(facts.made[i], request.arriving[i], plan.arrival));
-    Flight flight;
-    flight.departure = facts.made[i].departure;
-    flight.arrival = plan.arrival;
-    flight.presence = request.arriving[i].presence;
-    facts.flights.push_back(flight);
-  }
+  return plan;
 }
 
-void fly_given(const SwarmRequest& request, SwarmFacts& facts) {
+/// The given vehicles, delayed where that is asked for and none is to be made around them.
+std::vector<Vehicle> fly_given(const SwarmRequest& request, SwarmFacts& facts) {
   double longest = 0.0;
+  std::vector<Vehicle> vehicles, moving, fixed;
   for (const FlyingVehicle& v : request.flying) {
-    facts.vehicles.push_back({v.id, motion_of(v.document.path, v.flight), v.radius});
-    facts.documents.push_back(v.document);
-    facts.flights.push_back(v.flight);
-    longest = std::max(longest, facts.vehicles.back().motion.law().duration());
+    vehicles.push_back({v.id, motion_of(v.document.path, v.flight), v.radius});
+    longest = std::max(longest, vehicles.back().motion.law().duration());
+    (v.fixed ? fixed : moving).push_back(vehicles.back());
   }
-  if (!request.deconflict) return;
+  if (!request.deconflict || !request.arriving.empty() || moving.empty()) return vehicles;
   DelayMoves moves = request.deconflict->departure;
-  if (!request.longest_delay_given) {
-    constexpr double share = 0.125;
-    moves.longest_delay = share * longest;
-  }
-  DelayedSwarm apart = deconflict_by_delays(facts.vehicles, request.goal, moves).value();
-  facts.vehicles = std::move(apart.vehicles);
+  moves.longest_delay = delay_limit(request, longest);
+  DelayedSwarm apart = deconflict_by_delays(moving, request.goal, moves, fixed).value();
   facts.effort = apart.effort;
-  for (std::size_t i = 0; i < facts.flights.size(); ++i) {
-    Flight& flight = facts.flights[i];
-    flight.departure = facts.vehicles[i].motion.start_time();
-    if (flight.arrival) flight.arrival = facts.vehicles[i].motion.end_time();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < vehicles.size(); ++i) {
+    if (!request.flying[i].fixed) vehicles[i] = std::move(apart.vehicles[next++]);
   }
+  return vehicles;
+}
+
+void add_made(const ArrivingVehicle& wanted, ArrivingPath path, Vehicle vehicle, double arrival,
+              SwarmFacts& facts) {
+  facts.documents.push_back(document_of(path, wanted, arrival));
+  Flight flight;
+  flight.departure = path.departure;
+  flight.arrival = arrival;
+  flight.presence = wanted.presence;
+  if (wanted.altitude != 0.0) flight.altitude = wanted.altitude;
+  facts.flights.push_back(flight);
+  facts.vehicles.push_back(std::move(vehicle));
+  facts.made.emplace_back(std::move(path));
+}
+
+void add_given(const FlyingVehicle& wanted, Vehicle vehicle, SwarmFacts& facts) {
+  Flight flight = wanted.flight;
+  flight.departure = vehicle.motion.start_time();
+  if (flight.arrival) flight.arrival = vehicle.motion.end_time();
+  facts.flights.push_back(flight);
+  facts.documents.push_back(wanted.document);
+  facts.vehicles.push_back(std::move(vehicle));
+  facts.made.emplace_back();
 }
 
 std::string seven(double value) {
@@ -247,10 +268,7 @@ SwarmRequest swarm_request(Members& members) {
     Members& vehicle = vehicles[i];
     std::string id = id_of(vehicle, i, taken);
     const bool flies = vehicle.has("document") || vehicle.has("file");
-    if (i > 0 && flies != request.arriving.empty()) {
-      vehicle.refuse(flies ? (vehicle.has("file") ? "file" : "document") : "start",
-                     "either all vehicles have a start and an end, or all have a path");
-    }
+    request.order.push_back({flies, flies ? request.flying.size() : request.arriving.size()});
     if (flies) {
       request.flying.push_back(flying_vehicle(vehicle, std::move(id)));
     } else {
@@ -274,10 +292,16 @@ SwarmRequest swarm_request(Members& members) {
 SwarmFacts swarm_facts(const SwarmRequest& request) {
   SwarmFacts facts;
   facts.goal = request.goal;
-  if (request.flying.empty()) {
-    fly_arriving(request, facts);
-  } else {
-    fly_given(request, facts);
+  std::vector<Vehicle> given = fly_given(request, facts);
+  SimultaneousArrival plan;
+  if (!request.arriving.empty()) plan = fly_arriving(request, given, facts);
+  for (const SwarmRequest::Place& place : request.order) {
+    if (place.flies) {
+      add_given(request.flying[place.number], std::move(given[place.number]), facts);
+    } else {
+      add_made(request.arriving[place.number], std::move(plan.paths[place.number]),
+               std::move(plan.vehicles[place.number]), plan.arrival, facts);
+    }
   }
   facts.matrix = separation_matrix(facts.vehicles, request.goal).value();
   facts.conflicts = conflicts(facts.vehicles, request.goal).value();
@@ -308,10 +332,13 @@ Json json_of(const SwarmFacts& facts, std::size_t closest, bool with_documents, 
                 {"departure", vehicle.motion.start_time()},
                 {"arrival", vehicle.motion.end_time()},
                 {"length", vehicle.motion.length()}};
-    if (!facts.made.empty()) {
-      one["solution"] = facts.made[i].solution;
-      one["rotation_index"] = facts.made[i].rotation_index;
-      one["largest_curvature"] = json_of(facts.made[i].largest_curvature);
+    if (const double altitude = facts.flights[i].altitude.value_or(0.0); altitude != 0.0) {
+      one["altitude"] = altitude;
+    }
+    if (const auto& made = facts.made[i]) {
+      one["solution"] = made->solution;
+      one["rotation_index"] = made->rotation_index;
+      one["largest_curvature"] = json_of(made->largest_curvature);
       if (with_documents) one["document"] = Json::parse(to_json(facts.documents[i]));
     }
     vehicles.push_back(std::move(one));
@@ -359,13 +386,15 @@ Json json_of(const SwarmFacts& facts, std::size_t closest, bool with_documents, 
 std::string text_of(const SwarmFacts& facts, std::size_t closest) {
   constexpr std::size_t most_listed = 24, narrow = 10;
   std::string text = "  " + padded("Vehicle", narrow) + "Leaves       Arrives      Length";
-  text += facts.made.empty() ? "\n" : "       Curvature\n";
+  text += facts.arrival ? "       Curvature\n" : "\n";
   for (std::size_t i = 0; i < std::min(most_listed, facts.vehicles.size()); ++i) {
     const Vehicle& vehicle = facts.vehicles[i];
     std::string line = "  " + padded(vehicle.id, narrow) + seven(vehicle.motion.start_time()) +
                        seven(vehicle.motion.end_time()) + seven(vehicle.motion.length());
-    if (!facts.made.empty()) {
-      line += "at most " + to_six_digits(facts.made[i].largest_curvature.upper());
+    if (const auto& made = facts.made[i]) {
+      line += "at most " + to_six_digits(made->largest_curvature.upper());
+    } else if (facts.arrival) {
+      line += "path given";
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
@@ -459,6 +488,7 @@ std::string swarm_json(const SwarmFacts& facts) {
     set("acceleration", flight.acceleration);
     set("deceleration", flight.deceleration);
     set("lateral_acceleration", flight.lateral_acceleration);
+    set("altitude", flight.altitude);
     if (vehicle.radius > 0.0) one["radius"] = vehicle.radius;
     const Presence& presence = flight.presence;
     if (!(presence.before_start && presence.after_arrival)) {

@@ -23,6 +23,7 @@ struct FlyingVehicle {
   PathDocument document;
   Flight flight{};
   double radius = 0.0;
+  bool fixed = false;  ///< deconfliction leaves it as it is
 };
 
 /// When vehicles arrive together: exactly one of the first three, or the least that is sought.
@@ -33,10 +34,18 @@ struct ArrivalChoice {
   bool separated = false;           ///< of the least: the least at which all keep their distance
 };
 
-/// A swarm as it is asked for.
+/// A swarm as it is asked for: vehicles that arrive together, vehicles that fly given paths, or
+/// both; then paths are made, and departures chosen, around those that are given.
 struct SwarmRequest {
-  std::vector<ArrivingVehicle> arriving{};  ///< these
-  std::vector<FlyingVehicle> flying{};      ///< or these
+  std::vector<ArrivingVehicle> arriving{};
+  std::vector<FlyingVehicle> flying{};
+  /// For each vehicle in the order of the request: its number among the arriving, or where `flies`
+  /// among the flying ones.
+  struct Place {
+    bool flies = false;
+    std::size_t number = 0;
+  };
+  std::vector<Place> order{};
   ArrivalChoice arrival{};
   SwarmGoal goal{};
   std::optional<ArrivalMoves> deconflict{};
@@ -49,10 +58,10 @@ SwarmRequest swarm_request(Members& members);
 /// A swarm with all that is known of it.
 struct SwarmFacts {
   std::vector<Vehicle> vehicles{};
-  std::vector<PathDocument> documents{};  ///< of their paths
-  std::vector<ArrivingPath> made{};       ///< empty where the paths are given
-  std::optional<double> arrival{};        ///< where they arrive together
-  std::vector<Flight> flights{};          ///< how the documents' paths are flown
+  std::vector<PathDocument> documents{};            ///< of their paths
+  std::vector<std::optional<ArrivingPath>> made{};  ///< nothing where the path is given
+  std::optional<double> arrival{};                  ///< of those whose paths were made
+  std::vector<Flight> flights{};                    ///< how the documents' paths are flown
   SeparationMatrix matrix{};
   std::vector<Conflict> conflicts{};
   std::optional<DeconflictionEffort> effort{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The request "plan".
+#include "cli/plan_comparison.hpp"
 #include "cli/plans.hpp"
 #include "cli/requests/handlers.hpp"
 #include "hodograph/io/geojson.hpp"
@@ -31,11 +32,15 @@ Answer answer_plan(Members& request) {
       request.word("corners", {std::begin(corner_words), std::end(corner_words)}, "smallest"));
   plan_request.corner_offset = request.maybe_number("corner_offset");
   plan_request.most_attempts = request.count("most_attempts", plan_request.most_attempts);
+  const bool compare = request.truth("compare", false);
   request.require_all_known();
   const Planner planner = Planner::create(document.world, limits).value();
   const Plan plan = planner.plan(plan_request).value();
   Answer answer;
   answer.result = json_of(plan, planner.world());
+  if (compare) {
+    answer.result["compared"] = json_of(compared_plans(plan, planner.world()), limits, file, true);
+  }
   answer.document = to_json(made_plan(plan, limits, plan_request.aim, file).document);
   return answer;
 }

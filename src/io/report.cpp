@@ -229,6 +229,7 @@ std::vector<Plot> quantity_plots(const ReportData& data) {
       plot.series.push_back(std::move(series));
     }
   }
+  plots.insert(plots.end(), data.further.begin(), data.further.end());
   if (!data.error.empty()) {
     Plot& plot = add("Position error", data.length_unit);
     plot.y.logarithmic = true;

@@ -41,6 +41,7 @@ struct ReportData {
   std::vector<double> torsion{};             ///< not a number where it does not exist
   std::vector<Vector3<double>> body_rate{};  ///< χ per unit ξ; in the plane (0, 0, χ)
   std::vector<double> error_xi{}, error{};   ///< distance to what the path stands for
+  std::vector<Plot> further{};               ///< at the end of those along the path
 };
 
 /// The rows of the table, name and text, as they stand in the report and on a terminal: segments,
