@@ -6,9 +6,6 @@
 
 namespace hodograph {
 
-#define HODOGRAPH_NOTHING
-HODOGRAPH_PATH_DEGREES(HODOGRAPH_NOTHING)
-
 namespace {
 
 template <class V>
@@ -74,6 +71,23 @@ Fault wrong_count(const char* quantity, std::size_t expected, std::size_t got,
 }
 
 }  // namespace
+
+template <class P>
+  requires any_path_detail::is_held<P>
+AnyPath::AnyPath(P path) : path_(std::move(path)) {}
+
+#define HODOGRAPH_HELD(prefix, n)                  \
+  prefix template AnyPath::AnyPath(PlanarPath<n>); \
+  prefix template AnyPath::AnyPath(SpatialPath<n>);
+HODOGRAPH_FOR_COMPILED_DEGREES(HODOGRAPH_HELD, )
+
+AnyPath::AnyPath(const AnyPath& other) = default;
+AnyPath::AnyPath(AnyPath&& other) noexcept = default;
+AnyPath& AnyPath::operator=(const AnyPath& other) = default;
+AnyPath& AnyPath::operator=(AnyPath&& other) noexcept = default;
+AnyPath::~AnyPath() = default;
+
+bool operator==(const AnyPath& a, const AnyPath& b) { return a.path_ == b.path_; }
 
 Result<AnyPath> AnyPath::create(const PathNumbers& numbers) {
   if (numbers.dimension != 2 && numbers.dimension != 3) {

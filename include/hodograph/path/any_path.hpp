@@ -40,9 +40,11 @@ struct Alternatives<std::index_sequence<n...>> {
 };
 
 template <class P>
-inline constexpr bool is_path = false;
-template <class S, std::size_t n>
-inline constexpr bool is_path<Path<S, n>> = true;
+inline constexpr bool is_held = false;
+template <std::size_t n>
+inline constexpr bool is_held<PlanarPath<n>> = n <= maximum_dynamic_degree;
+template <std::size_t n>
+inline constexpr bool is_held<SpatialPath<n>> = n <= maximum_dynamic_degree;
 
 }  // namespace any_path_detail
 
@@ -55,10 +57,15 @@ class AnyPath {
 
   /// The holder of a path of static type; implicit, since nothing is lost.
   template <class P>
-    requires any_path_detail::is_path<P>
-  AnyPath(P path) : path_(std::move(path)) {
-    static_assert(P::preimage_degree <= maximum_dynamic_degree);
-  }
+    requires any_path_detail::is_held<P>
+  AnyPath(P path);
+
+  // Compiled once, in the library: 26 kinds take long to copy, move and destroy in every file.
+  AnyPath(const AnyPath& other);
+  AnyPath(AnyPath&& other) noexcept;
+  AnyPath& operator=(const AnyPath& other);
+  AnyPath& operator=(AnyPath&& other) noexcept;
+  ~AnyPath();
 
   /// The path that the numbers define.
   /// Faults: unsupported (a dimension other than 2 and 3, a degree above maximum_dynamic_degree),
@@ -105,28 +112,10 @@ class AnyPath {
   /// Bytes held.
   std::size_t memory() const;
 
-  friend bool operator==(const AnyPath& a, const AnyPath& b) { return a.path_ == b.path_; }
+  friend bool operator==(const AnyPath& a, const AnyPath& b);
 
  private:
   Alternatives path_;
 };
-
-// Compiled once, in the library, for the degrees in use.
-#define HODOGRAPH_PATH_DEGREE(prefix, n)                         \
-  prefix template Result<PlanarPath<n>> PlanarPath<n>::create(   \
-      std::vector<double>, std::vector<PlanarPhCurve<n>>, bool); \
-  prefix template Result<SpatialPath<n>> SpatialPath<n>::create( \
-      std::vector<double>, std::vector<SpatialPhCurve<n>>, bool);
-#define HODOGRAPH_PATH_DEGREES(prefix) \
-  HODOGRAPH_PATH_DEGREE(prefix, 1)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 2)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 3)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 4)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 5)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 6)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 7)     \
-  HODOGRAPH_PATH_DEGREE(prefix, 8)
-
-HODOGRAPH_PATH_DEGREES(extern)
 
 }  // namespace hodograph

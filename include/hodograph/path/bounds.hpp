@@ -218,4 +218,13 @@ Extremes angular_rate_extremes_per_arc_length(const Path<A, n>& path, const Rang
   });
 }
 
+#define HODOGRAPH_COMPILED_BOUNDS(prefix, n)                                           \
+  prefix template Enclosure arc_length_enclosure(const PlanarPath<n>&);                \
+  prefix template Enclosure arc_length_enclosure(const SpatialPath<n>&);               \
+  prefix template Extremes speed_extremes(const PlanarPath<n>&, const RangeGoal&);     \
+  prefix template Extremes speed_extremes(const SpatialPath<n>&, const RangeGoal&);    \
+  prefix template Extremes curvature_extremes(const PlanarPath<n>&, const RangeGoal&); \
+  prefix template Extremes curvature_extremes(const SpatialPath<n>&, const RangeGoal&);
+HODOGRAPH_FOR_COMPILED_DEGREES(HODOGRAPH_COMPILED_BOUNDS, extern)
+
 }  // namespace hodograph

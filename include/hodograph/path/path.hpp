@@ -11,10 +11,16 @@
 #include "hodograph/foundation/accuracy.hpp"
 #include "hodograph/foundation/result.hpp"
 #include "hodograph/path/arc_length_table.hpp"
+#include "hodograph/path/detail/compiled_degrees.hpp"
 #include "hodograph/path/detail/knots_fault.hpp"
 #include "hodograph/path/interval_index.hpp"
 
 namespace hodograph {
+
+namespace path_detail {
+/// Throws Error outside_domain: the quantity x lies outside [low, high].
+[[noreturn]] void throw_outside(double x, double low, double high, const char* quantity);
+}  // namespace path_detail
 
 /// A place on a path: the segment and its local parameter u in [0, 1].
 template <class S>
@@ -153,13 +159,7 @@ class Path {
   static void require_inside(const Scalar& x, const Scalar& low, const Scalar& high,
                              const char* quantity) {
     if (!(low <= x && x <= high))
-      throw_outside(to_double(x), to_double(low), to_double(high), quantity);
-  }
-  [[noreturn]] static void throw_outside(double x, double low, double high, const char* quantity) {
-    throw Error(Fault{FaultCode::outside_domain,
-                      std::string(quantity) + " " + to_text(x) + " is outside [" + to_text(low) +
-                          ", " + to_text(high) + "]",
-                      std::nullopt, quantity, x, x < low ? low : high});
+      path_detail::throw_outside(to_double(x), to_double(low), to_double(high), quantity);
   }
   // The parameter step is the difference of the knots (create checks it), and rounding is monotone:
   // the quotient is at most 1.
@@ -279,5 +279,12 @@ Result<Path<A, n>> Path<A, n>::create(std::vector<Scalar> knots, std::vector<Cur
   path.segments_ = std::move(segments);
   return path;
 }
+
+#define HODOGRAPH_COMPILED_PATH(prefix, n)                       \
+  prefix template Result<PlanarPath<n>> PlanarPath<n>::create(   \
+      std::vector<double>, std::vector<PlanarPhCurve<n>>, bool); \
+  prefix template Result<SpatialPath<n>> SpatialPath<n>::create( \
+      std::vector<double>, std::vector<SpatialPhCurve<n>>, bool);
+HODOGRAPH_FOR_COMPILED_DEGREES(HODOGRAPH_COMPILED_PATH, extern)
 
 }  // namespace hodograph
