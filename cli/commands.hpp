@@ -14,6 +14,7 @@ std::unique_ptr<Command> fit_command(CLI::App& program);
 std::unique_ptr<Command> orbit_command(CLI::App& program);
 std::unique_ptr<Command> spline_command(CLI::App& program);
 std::unique_ptr<Command> hermite_command(CLI::App& program);
+std::unique_ptr<Command> loop_command(CLI::App& program);
 std::unique_ptr<Command> corner_command(CLI::App& program);
 std::unique_ptr<Command> plan_command(CLI::App& program);
 std::unique_ptr<Command> swarm_command(CLI::App& program);

@@ -15,6 +15,7 @@ Answer answer_corner(Members& request);
 Answer answer_rounded_polyline(Members& request);
 Answer answer_waypoint_path(Members& request);
 Answer answer_planar_spline(Members& request);
+Answer answer_loop(Members& request);
 Answer answer_plan(Members& request);
 Answer answer_swarm(Members& request);
 Answer answer_separation(Members& request);

@@ -26,6 +26,8 @@ std::span<const RequestKind> request_kinds() {
                   answer_waypoint_path},
       RequestKind{"planar_spline", "the C2 path of planar quintics through points",
                   answer_planar_spline},
+      RequestKind{"loop", "a closed loop of given length, as given or chosen for a purpose",
+                  answer_loop},
       RequestKind{"plan", "a path among obstacles that keeps a turn radius and a clearance",
                   answer_plan},
       RequestKind{"swarm", "vehicles that arrive together or fly given paths, all pairs checked",

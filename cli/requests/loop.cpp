@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The request "loop".
+#include <cmath>
+
+#include "cli/loops.hpp"
+#include "cli/requests/handlers.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+Json json_of_extremes(const Extremes& extremes) {
+  return {{"minimum", json_of(extremes.minimum)}, {"maximum", json_of(extremes.maximum)}};
+}
+
+const char* word_of(TubeLimit limit) {
+  switch (limit) {
+    case TubeLimit::curvature:
+      return "curvature";
+    case TubeLimit::distance:
+      return "distance";
+    case TubeLimit::corner:
+      return "corner";
+    case TubeLimit::standstill:
+      return "standstill";
+  }
+  return "";
+}
+
+}  // namespace
+
+Answer answer_loop(Members& members) {
+  LoopRequest request;
+  request.length = members.number("length", request.length);
+  if (members.has("start")) request.start = members.point("start");
+  if (members.has("direction")) request.direction = members.point("direction");
+  if (members.has("normal")) request.normal = members.point("normal");
+  request.roll = members.number("roll", request.roll);
+  request.xi = members.maybe_number("xi");
+  request.psi = members.maybe_number("psi");
+  if (members.has("limit")) request.limit = members.word("limit", {"positive", "negative"});
+  if (members.has("for")) {
+    request.purpose = members.word("for", {loop_purposes.begin(), loop_purposes.end()});
+  }
+  if (members.has("point")) request.point = members.point("point");
+  if (members.has("extents")) request.extents = members.point("extents");
+  if (members.has("within")) {
+    const auto box = members.vectors("within", 3);
+    if (box.size() != 2) {
+      members.refuse("within",
+                     "the box is given by two corners; got " + std::to_string(box.size()));
+    }
+    request.within = LoopBox{{box[0][0], box[0][1], box[0][2]}, {box[1][0], box[1][1], box[1][2]}};
+  }
+  request.free_roll = members.truth("free_roll", request.free_roll);
+  request.largest_xi = members.maybe_number("largest_xi");
+  members.require_all_known();
+  if (request.point && request.purpose != "near") {
+    members.refuse("point", "a point is for a loop whose \"for\" is \"near\"");
+  }
+  if (request.extents && request.purpose != "extents") {
+    members.refuse("extents", "extents are for a loop whose \"for\" is \"extents\"");
+  }
+  const MadeLoop loop = make_loop(request);
+  const LoopFacts& facts = loop.facts;
+  Answer answer;
+  answer.result = {{"arc_length", loop.path.arc_length()},
+                   {"xi", loop.shape.xi},
+                   {"psi", loop.shape.psi},
+                   {"roll", loop.roll}};
+  answer.result["control_points"] = Json::array();
+  const auto& curve = loop.path.segment(0);
+  for (const auto& c : curve.integral().coefficients()) {
+    answer.result["control_points"].push_back(list_of(curve.start() + c.displacement));
+  }
+  answer.result["juncture"] = {{"curvature", loop.juncture.curvature},
+                               {"torsion_begin", loop.juncture.torsion_begin},
+                               {"torsion_end", loop.juncture.torsion_end}};
+  answer.result["speed"] = json_of_extremes(facts.speed);
+  answer.result["curvature"] = json_of_extremes(facts.curvature);
+  answer.result["torsion"] = json_of_extremes(facts.torsion);
+  answer.result["bending_energy"] = facts.energy ? json_of(*facts.energy) : Json();
+  answer.result["tube_radius"] = json_of(facts.tube.radius);
+  answer.result["tube_limit"] = word_of(facts.tube.limit);
+  if (loop.chosen) {
+    Json& chosen = answer.result["chosen"];
+    chosen = {{"value", json_of(loop.chosen->value)},
+              {"grid_steps", Json::array()},
+              {"evaluations", loop.chosen->evaluations}};
+    for (const double step : loop.chosen->grid_steps) chosen["grid_steps"].push_back(step);
+  }
+  answer.document = to_json(made_path(loop, "").document);
+  return answer;
+}
+
+}  // namespace hodograph::cli
