@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/complex_roots.hpp"
+#include "complex_roots.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "frame/rows.hpp"
+#include "rows.hpp"
 
 namespace hodograph::frame_detail {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Periodic rational frames of closed paths: θ = 2 arg w with a linear w.
-#include "frame/periodic_roll.hpp"
+#include "periodic_roll.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "frame/roll_builder.hpp"
-#include "frame/roll_chain.hpp"
 #include "hodograph/bernstein/roots.hpp"
+#include "roll_builder.hpp"
+#include "roll_chain.hpp"
 
 namespace hodograph {
 

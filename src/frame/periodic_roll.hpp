@@ -2,8 +2,8 @@
 // What periodic rational frames share.
 #pragma once
 
-#include "frame/segment_rates.hpp"
 #include "hodograph/foundation/result.hpp"
+#include "segment_rates.hpp"
 
 namespace hodograph::frame_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/rate_series.hpp"
+#include "rate_series.hpp"
 
 #include <algorithm>
 #include <cmath>

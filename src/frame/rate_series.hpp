@@ -8,7 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "frame/rows.hpp"
+#include "rows.hpp"
 
 namespace hodograph::frame_detail {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "frame/roll_builder.hpp"
+#include "roll_builder.hpp"
 
 namespace hodograph {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "frame/roll_integral.hpp"
-#include "frame/segment_rates.hpp"
 #include "hodograph/frame/roll.hpp"
+#include "roll_integral.hpp"
+#include "segment_rates.hpp"
 
 namespace hodograph {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "frame/roll_integral.hpp"
+#include "roll_integral.hpp"
 
 #include <complex>
 #include <cstdint>
 #include <numbers>
 
-#include "frame/complex_roots.hpp"
+#include "complex_roots.hpp"
 #include "hodograph/foundation/accuracy.hpp"
 
 namespace hodograph::frame_detail {

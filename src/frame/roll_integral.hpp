@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "frame/rows.hpp"
 #include "hodograph/algebra/quaternion.hpp"
+#include "rows.hpp"
 
 namespace hodograph::frame_detail {
 

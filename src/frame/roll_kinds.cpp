@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "frame/roll_builder.hpp"
-#include "frame/roll_chain.hpp"
+#include "roll_builder.hpp"
+#include "roll_chain.hpp"
 
 namespace hodograph {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-#include "frame/rows.hpp"
-#include "frame/segment_rates.hpp"
 #include "hodograph/frame/adapted_frame.hpp"
 #include "hodograph/frame/detail/rolled_piece.hpp"
 #include "hodograph/path/detail/batch_kernels.hpp"
+#include "rows.hpp"
+#include "segment_rates.hpp"
 
 namespace hodograph {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "frame/segment_rates.hpp"
+#include "segment_rates.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
-#include "frame/complex_roots.hpp"
+#include "complex_roots.hpp"
 #include "hodograph/foundation/accuracy.hpp"
 #include "hodograph/path/detail/enclosed_curve.hpp"
 #include "hodograph/path/detail/preimage_turn.hpp"

@@ -4,9 +4,9 @@
 
 #include <cstddef>
 
-#include "frame/rate_series.hpp"
-#include "frame/rows.hpp"
 #include "hodograph/frame/preimage_table.hpp"
+#include "rate_series.hpp"
+#include "rows.hpp"
 
 namespace hodograph::frame_detail {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "frame/periodic_roll.hpp"
-#include "frame/roll_builder.hpp"
-#include "frame/roll_integral.hpp"
-#include "frame/segment_rates.hpp"
+#include "periodic_roll.hpp"
+#include "roll_builder.hpp"
+#include "roll_integral.hpp"
+#include "segment_rates.hpp"
 
 namespace hodograph {
 
