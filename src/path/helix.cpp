@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hodograph {
 
@@ -98,8 +99,8 @@ Vector3<double> in_upper_half(const Vector3<double>& axis) {
   return axis;
 }
 
-}  // namespace
-
+/// The axis for rows (x, y, z, σ), `rows_a_segment` for every segment, each segment's in units of
+/// its largest |A_i|²; `sines` is filled with one sin θ a segment.
 HelixFit fit_axis(std::span<const std::array<double, 4>> rows, std::size_t rows_a_segment,
                   std::vector<double>& sines) {
   // What is left of r' when the multiple of σ that fits best is taken off, segment by segment.
@@ -155,6 +156,84 @@ std::vector<HelixStretch> stretches_of(std::span<const double> sines) {
   }
   return stretches;
 }
+
+/// The coefficients of one segment's preimage, in units of a power of two.
+std::vector<Quaternion<double>> preimage_of(const PathNumbers& path, std::size_t segment) {
+  const std::size_t count = path.preimage_degree + 1;
+  std::vector<Quaternion<double>> a(count);
+  double size = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* numbers = path.preimages.data() + (segment * count + i) * 4;
+    a[i] = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    size = std::max(size, largest_component(a[i]));
+  }
+  const int exponent = exponent_of(size);
+  for (auto& q : a) {
+    for (std::size_t j = 0; j < 4; ++j) q[j] = std::ldexp(q[j], -exponent);
+  }
+  return a;
+}
+
+/// The Bernstein coefficients of form(A, A).
+template <class V, class A, class Form>
+std::vector<V> squared(const std::vector<A>& a, const Form& form) {
+  const std::size_t n = a.size() - 1;
+  std::vector<V> result(2 * n + 1);
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      using S = typename A::Scalar;
+      const S weight = S(static_cast<double>(binomial(n, i) * binomial(n, j))) /
+                       S(static_cast<double>(binomial(2 * n, i + j)));
+      result[i + j] = result[i + j] + weight * form(a[i], a[j]);
+    }
+  }
+  return result;
+}
+
+using EnclosedPreimage = std::vector<Quaternion<Enclosure>>;
+
+/// The two halves of a polynomial, by de Casteljau's scheme.
+std::pair<EnclosedPreimage, EnclosedPreimage> halves(EnclosedPreimage a) {
+  const Enclosure half(0.5);
+  EnclosedPreimage left, right(a.size());
+  for (std::size_t last = a.size(); last-- > 0;) {
+    left.push_back(a[0]);
+    right[last] = a[last];
+    for (std::size_t i = 0; i < last; ++i) a[i] = half * (a[i] + a[i + 1]);
+  }
+  return {std::move(left), std::move(right)};
+}
+
+/// Encloses along/speed by its coefficients, on halves where that helps.
+Enclosure enclosed_sine(const EnclosedPreimage& a, const Vector3<Enclosure>& axis, int depth) {
+  constexpr double most_variation = 256.0;  // of σ within a piece
+  constexpr int deepest = 24;
+  const auto speed =
+      squared<Enclosure>(a, [](const auto& x, const auto& y) { return speed_form(x, y); });
+  double least = speed[0].lower(), most = 0.0;
+  for (const Enclosure& s : speed) {
+    least = std::min(least, s.lower());
+    most = std::max(most, s.upper());
+  }
+  const bool even = most <= most_variation * least;
+  if (!even && depth < deepest) {
+    const auto [left, right] = halves(a);
+    return Enclosure::hull(enclosed_sine(left, axis, depth + 1),
+                           enclosed_sine(right, axis, depth + 1));
+  }
+  if (!(least > 0.0)) return Enclosure::whole_line();
+  const auto hodograph = squared<Vector3<Enclosure>>(
+      a, [](const auto& x, const auto& y) { return hodograph_form(x, y); });
+  // min v_i/g_i ≤ v/g ≤ max v_i/g_i where all g_i > 0.
+  std::optional<Enclosure> range;
+  for (std::size_t i = 0; i < speed.size(); ++i) {
+    const Enclosure value = dot(axis, hodograph[i]) / speed[i];
+    range = range ? Enclosure::hull(*range, value) : value;
+  }
+  return *range;
+}
+
+}  // namespace
 
 std::optional<Fault> axis_fault(const Vector3<double>& axis) {
   if (!is_finite(axis)) {
@@ -247,4 +326,45 @@ Result<PlanFit> fit_plan(std::span<const Quaternion<double>> upright,
 }
 
 }  // namespace path_detail
+
+HelixFit recognised_helix(const PathNumbers& path) {
+  const std::size_t segments = path.knots.size() - 1, n = path.preimage_degree;
+  std::vector<std::array<double, 4>> rows;
+  rows.reserve(segments * (2 * n + 1));
+  for (std::size_t k = 0; k < segments; ++k) {
+    const auto a = path_detail::preimage_of(path, k);
+    double most = 0.0;
+    for (const auto& q : a) most = std::max(most, dot(q, q));
+    const double unit = most > 0.0 ? 1.0 / most : 1.0;
+    const auto hodograph = path_detail::squared<Vector3<double>>(
+        a, [](const auto& x, const auto& y) { return hodograph_form(x, y); });
+    const auto speed = path_detail::squared<double>(
+        a, [](const auto& x, const auto& y) { return speed_form(x, y); });
+    for (std::size_t i = 0; i <= 2 * n; ++i) {
+      rows.push_back(
+          {unit * hodograph[i].x, unit * hodograph[i].y, unit * hodograph[i].z, unit * speed[i]});
+    }
+  }
+  std::vector<double> sines;
+  HelixFit fit = path_detail::fit_axis(rows, 2 * n + 1, sines);
+  fit.stretches = path_detail::stretches_of(sines);
+  for (HelixStretch& stretch : fit.stretches) {
+    stretch.sine_range = sine_range(path, fit.axis, stretch.first, stretch.last);
+  }
+  return fit;
+}
+
+Enclosure sine_range(const PathNumbers& path, const Vector3<double>& axis, std::size_t first,
+                     std::size_t last) {
+  const Vector3<Enclosure> enclosed_axis = path_detail::enclosed(axis);
+  std::optional<Enclosure> range;
+  for (std::size_t k = first; k <= last; ++k) {
+    path_detail::EnclosedPreimage a;
+    for (const auto& q : path_detail::preimage_of(path, k)) a.push_back(path_detail::enclosed(q));
+    const Enclosure here = path_detail::enclosed_sine(a, enclosed_axis, 0);
+    range = range ? Enclosure::hull(*range, here) : here;
+  }
+  return *range;
+}
+
 }  // namespace hodograph

@@ -11,11 +11,14 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "hodograph/foundation/enclosure.hpp"
 #include "hodograph/foundation/result.hpp"
-#include "hodograph/path/bounds.hpp"
+#include "hodograph/path/any_path.hpp"
+#include "hodograph/path/detail/enclosed_curve.hpp"
 #include "hodograph/path/path.hpp"
 
 namespace hodograph {
@@ -58,8 +61,15 @@ struct HelixFit {
 /// decomposition; the vertical axis k where it fits within rounding. The axis of a helix is as
 /// accurate as its tangent's circle allows: about ε over the circle's angular height. Planar paths
 /// are helices, too, about their normal with θ = 0. Domain: any path in space.
+HelixFit recognised_helix(const PathNumbers& path);
 template <std::size_t n>
 HelixFit recognised_helix(const SpatialPath<n>& path);
+
+/// Contains a·r'/σ everywhere on the segments first to last, of the curve of the stored numbers and
+/// the axis as it stands (not normalised), rounding included; the whole line where the speed may
+/// vanish. Domain: a path in space, first ≤ last, within it.
+Enclosure sine_range(const PathNumbers& path, const Vector3<double>& axis, std::size_t first,
+                     std::size_t last);
 
 /// A helical curve as the lifting of a planar one: up to rounding
 ///   A(u) = U* (a(u) + b(u) k) (c + d j) (cos(roll/2) + i sin(roll/2)),
@@ -88,14 +98,6 @@ Result<HelicalDecomposition<n>> helical_decomposition(const SpatialPhCurve<n>& c
 
 namespace path_detail {
 
-/// The axis for rows (x, y, z, σ), `rows_a_segment` for every segment, each segment's in units of
-/// its largest |A_i|²; `sines` is filled with one sin θ a segment.
-HelixFit fit_axis(std::span<const std::array<double, 4>> rows, std::size_t rows_a_segment,
-                  std::vector<double>& sines);
-
-/// Joins neighbours whose sines agree within rounding.
-std::vector<HelixStretch> stretches_of(std::span<const double> sines);
-
 /// sine, cosine, plan, roll and residual from U A_i, in units of the largest |A_i|; the plan's
 /// coefficients as well.
 struct PlanFit {
@@ -105,56 +107,19 @@ Result<PlanFit> fit_plan(std::span<const Quaternion<double>> upright,
                          std::span<Complex<double>> plan);
 std::optional<Fault> axis_fault(const Vector3<double>& axis);
 
-/// The bits of a·r'/σ that are looked for; more is rounding.
-inline constexpr double sine_width = 0x1.0p-44;
-
 }  // namespace path_detail
 
 template <std::size_t n>
 HelixFit recognised_helix(const SpatialPath<n>& path) {
-  std::vector<std::array<double, 4>> rows;
-  rows.reserve(path.segment_count() * (2 * n + 1));
+  PathNumbers numbers;
+  numbers.preimage_degree = n;
+  numbers.knots = path.knots();
   for (const auto& curve : path.segments()) {
-    const int exponent = [&] {
-      double size = 0.0;
-      for (const auto& a : curve.preimage().coefficients()) {
-        size = std::max(size, largest_component(a));
-      }
-      return path_detail::exponent_of(size);
-    }();
-    const auto scaled = curve.preimage().mapped([&](const Quaternion<double>& a) {
-      return Quaternion<double>{std::ldexp(a.w, -exponent), std::ldexp(a.x, -exponent),
-                                std::ldexp(a.y, -exponent), std::ldexp(a.z, -exponent)};
-    });
-    double most = 0.0;
-    for (const auto& a : scaled.coefficients()) most = std::max(most, dot(a, a));
-    const double unit = most > 0.0 ? 1.0 / most : 1.0;
-    const SpatialPhCurve<n> one({}, scaled, 1.0);
-    const auto hodograph = one.hodograph();
-    const auto speed = one.speed_polynomial();
-    for (std::size_t i = 0; i <= 2 * n; ++i) {
-      rows.push_back(
-          {unit * hodograph[i].x, unit * hodograph[i].y, unit * hodograph[i].z, unit * speed[i]});
+    for (const Quaternion<double>& a : curve.preimage().coefficients()) {
+      numbers.preimages.insert(numbers.preimages.end(), {a.w, a.x, a.y, a.z});
     }
   }
-  std::vector<double> sines;
-  HelixFit fit = path_detail::fit_axis(rows, 2 * n + 1, sines);
-  fit.stretches = path_detail::stretches_of(sines);
-  const Vector3<Enclosure> axis = path_detail::enclosed(fit.axis);
-  for (HelixStretch& stretch : fit.stretches) {
-    std::vector<path_detail::SegmentPart> parts;
-    for (std::size_t k = stretch.first; k <= stretch.last; ++k) {
-      path_detail::add_evenly_fast_parts(path, k, parts);
-    }
-    const Extremes found = path_detail::extremes_over_parts(
-        path, parts, RangeMeasure::value, RangeGoal{path_detail::sine_width},
-        [&](const auto& exact) {
-          return BernsteinQuotient::of(
-              exact.hodograph().mapped([&](const auto& h) { return dot(axis, h); }), exact.speed());
-        });
-    stretch.sine_range = found.range();
-  }
-  return fit;
+  return recognised_helix(numbers);
 }
 
 template <std::size_t n>
