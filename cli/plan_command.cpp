@@ -63,6 +63,9 @@ void run(const PlanFlags& flags) {
   report.more = rows_of(plan, planner.world());
   report.surroundings = outlines(planner.world());
   report.curvature_limit = 1.0 / flags.limits.turn_radius;
+  report.title = "A path among obstacles";
+  report.path.frames.clear();  // a map shows the path alone
+  report.path.frame_origins.clear();
   if (!flags.output.report.empty()) {
     for (Series& series : grown_outlines(planner.world(), flags.limits.distance())) {
       report.surroundings.push_back(std::move(series));

@@ -173,6 +173,12 @@ std::vector<Plot> path_plots(const ReportData& data) {
   if (data.path.points.empty()) return plots;
   if (data.dimension == 2) {
     Plot plot = plane_picture(data.path, data.length_unit);
+    if (!data.surroundings.empty()) {  // a map, as wide as the page
+      constexpr double map_size = 720.0;
+      plot.width = plot.height = map_size;
+      plot.series.front().label = "path";
+      plot.series.front().color = PlotColor::blue;
+    }
     plot.series.insert(plot.series.begin(), data.surroundings.begin(), data.surroundings.end());
     plots.push_back(std::move(plot));
     return plots;
@@ -209,7 +215,7 @@ std::vector<Plot> quantity_plots(const ReportData& data) {
       if (data.dimension == 2) plot.levels.push_back({-*data.curvature_limit, "limit"});
     }
   }
-  if (!data.torsion.empty()) {
+  if (!data.torsion.empty() && data.dimension == 3) {
     add("Torsion \xcf\x84", per_length).series.push_back(series_of(data.xi, data.torsion));
     plots.back().clip_outliers = true;
   }
