@@ -13,6 +13,7 @@
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/geojson.hpp"
+#include "hodograph/path/helix.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -183,6 +184,22 @@ void check_world(Checks& checks, const CheckFlags& flags, const PathDocument& do
   checks.hold("clearance", "at least " + to_text(found.reach) + " from everything else");
 }
 
+/// The climb angles along an axis.
+void check_helix(Checks& checks, const PathDocument& document) {
+  const HelixPromise& promised = *document.promises.helix;
+  const PathNumbers numbers = document.path.numbers();
+  for (std::size_t i = 0; i < promised.sines.size(); ++i) {
+    const std::size_t first = promised.sines[i].first_segment;
+    const std::size_t last = i + 1 < promised.sines.size() ? promised.sines[i + 1].first_segment - 1
+                                                           : document.path.segment_count() - 1;
+    const std::string where = promised.sines.size() == 1 ? ""
+                                                         : ", segments " + std::to_string(first) +
+                                                               " to " + std::to_string(last);
+    check_bound(checks, ("sine of the climb angle" + where).c_str(), promised.sines[i].sine,
+                sine_range(numbers, promised.axis, first, last));
+  }
+}
+
 void run(const CheckFlags& flags) {
   const PathDocument document = load_document(flags.document).value();
   const PathFacts facts = facts_of(document.path);
@@ -223,6 +240,7 @@ void run(const CheckFlags& flags) {
     check_bound(checks, "largest curvature", *promises.largest_curvature,
                 largest_curvature(document.path));
   }
+  if (promises.helix) check_helix(checks, document);
   check_world(checks, flags, document);
   if (promises.error) check_error(checks, flags, document);
   print(checks.text());

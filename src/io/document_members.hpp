@@ -71,6 +71,12 @@ inline constexpr std::array document_members = {
     Member{"/promises/clearance/bounds", MemberKind::object, false},
     Member{"/promises/clearance/bounds/lower", MemberKind::number, true},
     Member{"/promises/clearance/bounds/upper", MemberKind::number, true},
+    Member{"/promises/helix", MemberKind::object, false},
+    Member{"/promises/helix/axis", MemberKind::object, true},
+    Member{"/promises/helix/axis/x", MemberKind::number, true},
+    Member{"/promises/helix/axis/y", MemberKind::number, true},
+    Member{"/promises/helix/axis/z", MemberKind::number, true},
+    Member{"/promises/helix/sines", MemberKind::rows, true},
 };
 
 constexpr const Member* find_member(std::string_view pointer) {

@@ -172,7 +172,7 @@ class EventHandler {
         return true;
       }
       return count == numbers_a_row ? next_element()
-                                    : fail("an obstacle number and two bounds are needed; got " +
+                                    : fail(std::string(row_words()) + " are needed; got " +
                                            std::to_string(count) + " numbers");
     }
     if (levels_.size() == 1) {
@@ -250,16 +250,22 @@ class EventHandler {
   /// What belongs at a place inside knots or segments where something else stands.
   bool wrong_bulk_type(const std::string& got) {
     const std::size_t depth = levels_.size();
-    const char* needed = "a number";
+    std::string needed = "a number";
     if (bulk_ == MemberKind::rows && depth == rows_depth) {
-      needed = "a row, an array of an obstacle number and two bounds,";
+      needed = "a row, an array of " + std::string(row_words()) + ",";
     }
     if (bulk_ == MemberKind::segments) {
       if (depth == 2) needed = "a segment, an object with \"start\" and \"preimage\",";
       if (depth == 3) needed = "an array";
       if (depth == 4 && in_preimage()) needed = "a coefficient, an array of numbers,";
     }
-    return fail(std::string(needed) + " is needed; got " + got);
+    return fail(needed + " is needed; got " + got);
+  }
+
+  /// What a row holds.
+  const char* row_words() const {
+    return levels_.size() > 2 && levels_[1].key == "helix" ? "a segment number and two bounds"
+                                                           : "an obstacle number and two bounds";
   }
 
   /// The member that stands at the current place; null, with a fault, where none belongs there.
@@ -423,9 +429,9 @@ class Assembler {
                              number("/frame/roll/rate")};
     }
     if (auto fault = read_promises(document.promises, document.path.dimension())) return *fault;
-    if (document.promises.clearance && document.path.dimension() != 2) {
-      return at_pointer(source_, "/promises/clearance",
-                        "a path in space has no clearance from the obstacles of a plane");
+    if (document.promises.helix &&
+        document.promises.helix->sines.back().first_segment >= document.path.segment_count()) {
+      return at_pointer(source_, "/promises/helix/sines", "there are fewer segments than that");
     }
     return document;
   }
@@ -536,7 +542,20 @@ class Assembler {
       promises.end = Vector3<double>{end[0], end[1], dimension == 3 ? end[2] : 0.0};
     }
     if (values_.contains("/promises/clearance")) {
+      if (dimension != 2) {
+        return at_pointer(source_, "/promises/clearance",
+                          "a path in space has no clearance from the obstacles of a plane");
+      }
+      if (values_.contains("/promises/helix")) {
+        return at_pointer(source_, "/promises/helix", "a path in the plane does not climb");
+      }
       if (auto fault = read_clearance(promises, bounds)) return fault;
+    }
+    if (values_.contains("/promises/helix")) {
+      if (dimension != 3) {
+        return at_pointer(source_, "/promises/helix", "a path in the plane does not climb");
+      }
+      if (auto fault = read_helix(promises)) return fault;
     }
     if (distance) {
       promises.error =
@@ -588,6 +607,41 @@ class Assembler {
       clearance.obstacles.push_back({static_cast<std::size_t>(rows[i]), *distance});
     }
     promises.clearance = std::move(clearance);
+    return std::nullopt;
+  }
+
+  std::optional<Fault> read_helix(Promises& promises) const {
+    HelixPromise helix;
+    helix.axis = {number("/promises/helix/axis/x"), number("/promises/helix/axis/y"),
+                  number("/promises/helix/axis/z")};
+    if (!(largest_component(helix.axis) > 0.0)) {
+      return at_pointer(source_, "/promises/helix/axis", "an axis is not zero");
+    }
+    const std::vector<double>& rows = events_.rows();
+    double last = -1.0;
+    for (std::size_t i = 0; i + 2 < rows.size(); i += EventHandler::numbers_a_row) {
+      const std::string place =
+          "/promises/helix/sines/" + std::to_string(i / EventHandler::numbers_a_row);
+      constexpr double most = 0x1p32;
+      if (!(rows[i] > last && rows[i] == std::floor(rows[i]) && rows[i] < most) ||
+          (i == 0 && rows[0] != 0.0)) {
+        return at_pointer(
+            source_, place,
+            "the segment numbers should be whole and increase from 0; got " + to_text(rows[i]));
+      }
+      last = rows[i];
+      if (!(rows[i + 1] <= rows[i + 2])) {
+        return at_pointer(source_, place,
+                          "the bounds should be lower <= upper; got lower " + to_text(rows[i + 1]) +
+                              " and upper " + to_text(rows[i + 2]));
+      }
+      helix.sines.push_back(
+          {static_cast<std::size_t>(rows[i]), Enclosure(rows[i + 1], rows[i + 2])});
+    }
+    if (helix.sines.empty()) {
+      return at_pointer(source_, "/promises/helix/sines", "at least one row is needed");
+    }
+    promises.helix = std::move(helix);
     return std::nullopt;
   }
 

@@ -183,6 +183,19 @@ void write_clearance(Writer& json, const ClearancePromise& clearance) {
   json.end();
 }
 
+void write_helix(Writer& json, const HelixPromise& helix) {
+  json.begin("helix");
+  json.begin("axis");
+  json.number("x", helix.axis.x);
+  json.number("y", helix.axis.y);
+  json.number("z", helix.axis.z);
+  json.end();
+  json.rows("sines", helix.sines, [](const HelixSine& row) {
+    return std::array{static_cast<double>(row.first_segment), row.sine.lower(), row.sine.upper()};
+  });
+  json.end();
+}
+
 void write_promises(Writer& json, const Promises& promises, std::size_t dimension) {
   json.begin("promises");
   if (const auto& orders = promises.continuity) {
@@ -210,6 +223,7 @@ void write_promises(Writer& json, const Promises& promises, std::size_t dimensio
   }
   json.enclosure("largest_curvature", promises.largest_curvature);
   if (promises.clearance) write_clearance(json, *promises.clearance);
+  if (promises.helix) write_helix(json, *promises.helix);
   json.end();
 }
 

@@ -28,6 +28,8 @@ inline PathDocument full_document(Random& random) {
   document.promises.curvature_bound = 7.5;
   document.promises.end = Vector3<double>{1.0, 2.0, -0.5};
   document.promises.largest_curvature = Enclosure(7.0, 7.25);
+  document.promises.helix =
+      HelixPromise{{0.0, 0.6, 0.8}, {{0, Enclosure(-0.5, 0.25)}, {1, Enclosure(1.0 / 3.0)}}};
   return document;
 }
 

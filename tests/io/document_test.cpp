@@ -356,6 +356,12 @@ TEST(Document, WrongPromisesAndFramesAreNamed) {
             "upper; got lower 3 and upper 1");
   EXPECT_EQ(clearance("{}"),
             "the document, at /promises/clearance/obstacles: an array is needed; got an object");
+  EXPECT_EQ(with(R"("promises": {"helix": {"axis": {"x": 0, "y": 0, "z": 1},
+                                          "sines": [[0, 0.5, 0.5]]}})"),
+            "the document, at /promises/helix: a path in the plane does not climb");
+  EXPECT_EQ(with(R"("promises": {"helix": {"axis": {"x": 0, "y": 0, "z": 1}, "sines": [[0]]}})"),
+            "the document, at /promises/helix/sines/0: a segment number and two bounds are needed; "
+            "got 1 numbers");
   EXPECT_EQ(with(R"("promises": [])"),
             "the document, at /promises: an object is needed; got an array");
   EXPECT_EQ(

@@ -91,6 +91,7 @@ std::map<std::string, Json> documents(const Json& good) {
   with("bad, coefficient", "/segments/1/preimage/1", {0, 0, 0});
   with("bad, number", "/knots/1", "1");
   with("bad, row", "/promises/clearance/obstacles/0", {1, 2});
+  with("bad, helix row", "/promises/helix/sines/0", {1, 2});
   with("bad, reach", "/promises/clearance/reach", -1);
   with("bad, end", "/promises/end", {1, 2, 3, 4});
   return all;

@@ -71,6 +71,21 @@ struct ClearancePromise {
   friend bool operator==(const ClearancePromise&, const ClearancePromise&) = default;
 };
 
+/// From a segment on, up to the next row's, the sine of the angle at which the path climbs along
+/// the axis is in `sine` everywhere.
+struct HelixSine {
+  std::size_t first_segment = 0;
+  Enclosure sine{};
+  friend bool operator==(const HelixSine&, const HelixSine&) = default;
+};
+
+/// A path of constant climb, or of several angles one after the other; see path/helix.hpp.
+struct HelixPromise {
+  Vector3<double> axis{0.0, 0.0, 1.0};
+  std::vector<HelixSine> sines{};  ///< in ascending order, the first from segment 0 on
+  friend bool operator==(const HelixPromise&, const HelixPromise&) = default;
+};
+
 /// What a path promises. Each number can be computed again from the path alone, the error from the
 /// path and its source, the clearance from the path and the world. Absent means: nothing is
 /// promised.
@@ -86,10 +101,11 @@ struct Promises {
   std::optional<Vector3<double>> end{};
   std::optional<Enclosure> largest_curvature{};  ///< contains max |κ(ξ)|
   std::optional<ClearancePromise> clearance{};
+  std::optional<HelixPromise> helix{};
 
   bool empty() const {
     return !continuity && !error && !arc_length && !smallest_speed && !largest_speed &&
-           !curvature_bound && !end && !largest_curvature && !clearance;
+           !curvature_bound && !end && !largest_curvature && !clearance && !helix;
   }
   friend bool operator==(const Promises&, const Promises&) = default;
 };
