@@ -130,6 +130,14 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end,
   return lift(*std::move(plan), begin, rise, ground_length);
 }
 
+Result<ClimbPath> climb_path_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
+                                              double ground_length, double turn_radius) {
+  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
+  auto plan = turn_limited_path(over_ground(begin), over_ground(end), ground_length, turn_radius);
+  if (!plan) return plan.fault();
+  return lift(*std::move(plan), begin, end.position.z - begin.position.z, ground_length);
+}
+
 Result<ClimbRoute> climb_route(std::span<const ClimbWaypoint> waypoints,
                                const ClimbRouteOptions& options) {
   if (waypoints.size() < 2) {
@@ -165,11 +173,14 @@ Result<ClimbRoute> climb_route(std::span<const ClimbWaypoint> waypoints,
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     const HeadedPoint begin{waypoints[i].position, headings[i]};
     const HeadedPoint end{waypoints[i + 1].position, headings[i + 1]};
-    const auto made =
-        waypoints[i].climb_angle &&
-                (*waypoints[i].climb_angle != 0.0 || begin.position.z != end.position.z)
-            ? climb_path(begin, end, *waypoints[i].climb_angle, options.limits.turn_radius)
-            : climb_path(begin, end, options.limits, options.most_detour);
+    const ClimbWaypoint& from = waypoints[i];
+    const double radius = options.limits.turn_radius;
+    const bool by_angle =
+        from.climb_angle && (*from.climb_angle != 0.0 || begin.position.z != end.position.z);
+    const auto made = from.ground_length
+                          ? climb_path_of_ground_length(begin, end, *from.ground_length, radius)
+                      : by_angle ? climb_path(begin, end, *from.climb_angle, radius)
+                                 : climb_path(begin, end, options.limits, options.most_detour);
     if (!made) {
       Fault fault = made.fault();
       fault.sentence = "span " + std::to_string(i) + ": " + fault.sentence;

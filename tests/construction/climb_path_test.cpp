@@ -51,6 +51,19 @@ TEST(ClimbPath, FindsTheAngleWithinTheLimits) {
   EXPECT_EQ(free.path.segment_count(), 1U);
 }
 
+TEST(ClimbPath, OfAGivenLengthOverGround) {
+  const HeadedPoint begin{{0.0, 0.0, 3.0}, {1.0, 0.0}}, end{{4.0, 2.0, 3.0}, {0.0, 1.0}};
+  const auto level = climb_path_of_ground_length(begin, end, 20.0, 1.0).value();
+  EXPECT_EQ(level.climb_angle, 0.0);
+  EXPECT_CLOSE(level.path.arc_length(), 20.0, 256.0, 20.0);
+  EXPECT_LE(level.most_ground_curvature, 1.0);
+  const std::vector<ClimbWaypoint> two{{begin.position, begin.heading, {}, 6.0},
+                                       {{4.0, 2.0, 0.0}, end.heading, {}, {}}};
+  const auto down = climb_route(two, {}).value();
+  EXPECT_CLOSE(down.spans[0].climb_angle, -std::atan(0.5), 8.0, 1.0);
+  EXPECT_FALSE(climb_path_of_ground_length(begin, end, 4.0, 1.0));
+}
+
 TEST(ClimbPath, SaysWhichClimbWouldDo) {
   const HeadedPoint begin{{0.0, 0.0, 0.0}, {1.0, 0.0}};
   const HeadedPoint end{{4.0, 0.0, 1.0}, {-1.0, 0.0}};
@@ -83,11 +96,12 @@ TEST(ClimbPath, SaysWhichClimbWouldDo) {
 }
 
 TEST(ClimbRoute, JoinsSpansAndReportsWhatIsContinuous) {
-  const std::vector<ClimbWaypoint> waypoints{{{0.0, 0.0, 0.0}, {}, {}},
-                                             {{40.0, 10.0, 6.0}, {}, 0.2},
-                                             {{60.0, 40.0, 12.0}, {}, 0.2},
-                                             {{20.0, 60.0, 20.0}, {}, {}},
-                                             {{-20.0, 30.0, 5.0}, Vector2<double>{0.0, -1.0}, {}}};
+  const std::vector<ClimbWaypoint> waypoints{
+      {{0.0, 0.0, 0.0}, {}, {}, {}},
+      {{40.0, 10.0, 6.0}, {}, 0.2, {}},
+      {{60.0, 40.0, 12.0}, {}, 0.2, {}},
+      {{20.0, 60.0, 20.0}, {}, {}, {}},
+      {{-20.0, 30.0, 5.0}, Vector2<double>{0.0, -1.0}, {}, {}}};
   ClimbRouteOptions options;
   options.limits = {0.25, 0.3, 5.0};
   const auto route = climb_route(waypoints, options);
@@ -129,10 +143,10 @@ TEST(ClimbRoute, JoinsSpansAndReportsWhatIsContinuous) {
 TEST(ClimbRoute, RefusesBadWaypoints) {
   ClimbRouteOptions options;
   options.limits = {0.25, 0.3, 5.0};
-  const std::vector<ClimbWaypoint> one{{{0.0, 0.0, 0.0}, {}, {}}};
+  const std::vector<ClimbWaypoint> one{{{0.0, 0.0, 0.0}, {}, {}, {}}};
   EXPECT_EQ(climb_route(one, options).fault().sentence,
             "a route needs at least two waypoints; got 1");
-  std::vector<ClimbWaypoint> two{{{0.0, 0.0, 0.0}, {}, {}}, {{0.0, 0.0, 10.0}, {}, {}}};
+  std::vector<ClimbWaypoint> two{{{0.0, 0.0, 0.0}, {}, {}, {}}, {{0.0, 0.0, 10.0}, {}, {}, {}}};
   EXPECT_FALSE(climb_route(two, options));  // one above the other: the headings have to be given
   two[0].heading = two[1].heading = Vector2<double>{1.0, 0.0};
   const auto up = climb_route(two, options);

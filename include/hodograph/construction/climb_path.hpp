@@ -54,13 +54,19 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end, d
 Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end,
                              const ClimbLimits& limits, double most_detour = 0.25);
 
+/// The climb of a given length over ground that keeps the turn radius: its angle is atan(Δz/S), and
+/// level flight is one of 0. Faults: not_finite, and those of turn_limited_path.
+Result<ClimbPath> climb_path_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
+                                              double ground_length, double turn_radius);
+
 /// A waypoint of a helical spline. Without a heading it gets the one of a rule for waypoints
 /// (construction/waypoint_tangents.hpp, by the places over ground); without a climb angle that of
-/// the span that begins here is found within the limits.
+/// the span that begins here is the one of its length over ground, or found within the limits.
 struct ClimbWaypoint {
   Vector3<double> position{};
   std::optional<Vector2<double>> heading{};
-  std::optional<double> climb_angle{};
+  std::optional<double> climb_angle{};    ///< not with a length; 0: level
+  std::optional<double> ground_length{};  ///< over ground, of the span that begins here
 };
 
 struct ClimbRouteOptions {
