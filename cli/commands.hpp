@@ -15,6 +15,7 @@ std::unique_ptr<Command> orbit_command(CLI::App& program);
 std::unique_ptr<Command> spline_command(CLI::App& program);
 std::unique_ptr<Command> hermite_command(CLI::App& program);
 std::unique_ptr<Command> loop_command(CLI::App& program);
+std::unique_ptr<Command> climb_command(CLI::App& program);
 std::unique_ptr<Command> corner_command(CLI::App& program);
 std::unique_ptr<Command> plan_command(CLI::App& program);
 std::unique_ptr<Command> swarm_command(CLI::App& program);
