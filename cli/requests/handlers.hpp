@@ -22,6 +22,7 @@ Answer answer_loop(Members& request);
 Answer answer_plan(Members& request);
 Answer answer_swarm(Members& request);
 Answer answer_separation(Members& request);
+Answer answer_frame(Members& request);
 Answer answer_fit(Members& request);
 Answer answer_orbit(Members& request);
 Answer answer_evaluate(Members& request);
@@ -30,6 +31,7 @@ Answer answer_nearest(Members& request);
 Answer answer_inspect(Members& request);
 Answer answer_analyse(Members& request);
 Answer answer_offset(Members& request);
+Answer answer_sweep(Members& request);
 Answer answer_intersections(Members& request);
 Answer answer_operate(Members& request);
 
