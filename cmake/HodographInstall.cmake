@@ -23,6 +23,9 @@ endforeach()
 
 if(TARGET hodograph_program)
   install(TARGETS hodograph_program RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  if(TARGET hodograph_step_module)
+    install(TARGETS hodograph_step_module LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/hodograph")
+  endif()
 endif()
 
 configure_package_config_file(
@@ -35,6 +38,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/package/hodographConfig.cmake"
   "${PROJECT_BINARY_DIR}/package/hodographConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindOpenCASCADE.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindGeographicLib.cmake"
   DESTINATION "${package_directory}")
 

@@ -10,7 +10,7 @@ SOURCE_SUFFIXES = (".hpp", ".cpp")
 # A folder is a module; a module includes only modules above it in this list.
 MODULES = (
     "foundation", "algebra", "bernstein", "curve", "path", "frame", "construction", "certify",
-    "rational", "surface", "planning", "orbit", "control", "io", "interop",
+    "rational", "surface", "planning", "orbit", "control", "io", "cad", "interop",
 )
 # The modules that depend on the standard library alone.
 CORE_MODULES = MODULES[: MODULES.index("construction") + 1]

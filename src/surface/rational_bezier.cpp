@@ -82,6 +82,24 @@ Vector3<double> RationalPatch::normal(double v, double u) const {
   return size > 0.0 ? (1.0 / size) * across : Vector3<double>{};
 }
 
+RationalPatch RationalPatch::restricted_u(double a, double b) const {
+  RationalPatch part = *this;
+  part.begin_u = begin_u + a * (end_u - begin_u);
+  part.end_u = begin_u + b * (end_u - begin_u);
+  std::vector<Homogeneous> row(degree_u + 1);
+  for (std::size_t i = 0; i <= degree_v; ++i) {
+    for (std::size_t j = 0; j <= degree_u; ++j) {
+      row[j] = {weighted[index(i, j)], weights[index(i, j)]};
+    }
+    const auto along = DynamicPolynomial<Homogeneous>(row).restricted(a, b);
+    for (std::size_t j = 0; j <= degree_u; ++j) {
+      part.weighted[index(i, j)] = along[j].weighted;
+      part.weights[index(i, j)] = along[j].weight;
+    }
+  }
+  return part;
+}
+
 RationalPatch RationalPatch::restricted_v(double a, double b) const {
   RationalPatch part = *this;
   part.begin_v = begin_v + a * (end_v - begin_v);

@@ -69,6 +69,8 @@ struct RationalPatch {
 
   /// The part on [a, b] of v, all of u.
   RationalPatch restricted_v(double a, double b) const;
+  /// The part on [a, b] of u, all of v.
+  RationalPatch restricted_u(double a, double b) const;
   friend bool operator==(const RationalPatch&, const RationalPatch&) = default;
 };
 
