@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Surfaces swept along a path: from the request to mesh, facts and files. What the subcommand
+// `sweep` and the request "sweep" have in common.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/json.hpp"
+#include "cli/step_module/step_module.hpp"
+#include "hodograph/io/document.hpp"
+#include "hodograph/surface/sweep_mesh.hpp"
+
+namespace hodograph::cli {
+
+/// The words for frames, as options and requests spell them; the first takes closing on a closed
+/// path and erf on an open one. The others but closing are those of the subcommand `frame`.
+inline constexpr const char* sweep_frames[] = {
+    "automatic", "erf", "closing", "frenet", "rotation-minimising", "periodic", "least-twist"};
+
+/// What is to be swept. One of the profiles is given.
+struct SweepRequest {
+  std::optional<double> circle{};
+  std::vector<double> ellipse{};    ///< two half axes
+  std::vector<double> rectangle{};  ///< width along e₂, height along e₃, about the path
+  std::vector<double> ribbon{};     ///< distances to the left and to the right
+  std::vector<Vector2<double>> polygon{};
+  std::optional<AnyPath> curve{};  ///< a planar path
+
+  std::string frame = "automatic";
+  std::optional<double> gamma{};  ///< of a periodic frame
+  std::string found_gamma{};      ///< one of found_gammas, where no γ is given; empty: least
+  std::vector<double> scale{1.0};
+  std::optional<double> tolerance{};  ///< a hundredth of the profile's extent without
+  std::size_t most_triangles = SweepMeshOptions{}.most_triangles;
+  bool caps = true, allow_contact = false;
+};
+
+struct MadeSweep {
+  Sweep sweep;
+  std::string frame;  ///< the one taken
+  std::optional<double> gamma{};
+  TubeRadius tube;
+  bool certainly_free = false;
+  double tolerance = 0.0;
+};
+
+/// The sweep, refused where it meets itself unless that is allowed. Throws Error: those of the
+/// profile, the motion, contact_fault.
+MadeSweep made_sweep(const AnyPath& path, const SweepRequest& request);
+
+/// The certified largest radius of a tube round a path of any kind.
+TubeRadius tube_radius_of(const AnyPath& path);
+
+/// The format of a file: `format` where it is not empty, else by the suffix: "stl", "obj", "glb" or
+/// "step" (also .stp). Throws Error (unsupported).
+std::string sweep_format(const std::string& file, const std::string& format);
+
+/// The mesh with its facts, within the tolerance also after the rounding of the format ("stl", ...;
+/// empty: none). Throws Error: those of mesh_of; tolerance_not_reached where the rounding alone
+/// takes half of the tolerance.
+struct MeasuredMesh {
+  SweepMesh made;
+  MeshFacts facts;
+  double rounding = 0.0;  ///< of the coordinates in the file
+};
+MeasuredMesh measured_mesh(const MadeSweep& made, const SweepRequest& request,
+                           const std::string& format);
+
+/// Writes the file; `mesh` is not needed for STEP, for which the answer tells what it holds. Throws
+/// Error.
+std::optional<StepAnswer> write_sweep(const MadeSweep& made, const SweepRequest& request,
+                                      const MeasuredMesh* mesh, const PathDocument& document,
+                                      const std::string& file, const std::string& format);
+
+Json json_of(const MadeSweep& made, const MeasuredMesh& mesh);
+std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
+                                                         const MeasuredMesh* mesh,
+                                                         const std::string& unit);
+
+/// An HTML page with the rows and pictures from two sides, of a mesh coarse enough for it.
+std::string sweep_page(const MadeSweep& made, const SweepRequest& request, const std::string& title,
+                       const std::vector<std::pair<std::string, std::string>>& rows);
+
+}  // namespace hodograph::cli
