@@ -157,11 +157,19 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeLoop& loop) {
                                     std::to_string(loop.chosen->evaluations) + " loops looked at");
   }
   const LoopFacts& facts = loop.facts;
-  rows.emplace_back("Curvature", range_of(facts.curvature) + ", where it closes " +
-                                     to_six_digits(loop.juncture.curvature));
-  rows.emplace_back("Torsion", range_of(facts.torsion) + ", where it closes " +
-                                   to_six_digits(loop.juncture.torsion_end) + " to " +
-                                   to_six_digits(loop.juncture.torsion_begin));
+  std::string curvature = range_of(facts.curvature);
+  if (std::isfinite(loop.juncture.curvature)) {
+    curvature += ", where it closes " + to_six_digits(loop.juncture.curvature);
+  }
+  rows.emplace_back("Curvature", curvature);
+  const double before = loop.juncture.torsion_end, after = loop.juncture.torsion_begin;
+  std::string torsion = range_of(facts.torsion);
+  if (std::isfinite(before)) {
+    torsion += before == after ? ", continuous where it closes"
+                               : ", where it closes " + to_six_digits(before) + " before and " +
+                                     to_six_digits(after) + " after";
+  }
+  rows.emplace_back("Torsion", torsion);
   if (facts.energy) rows.emplace_back("Bending energy", text_of(*facts.energy));
   rows.emplace_back("Speed", range_of(facts.speed) + " per unit of xi");
   rows.emplace_back(
