@@ -438,7 +438,9 @@ TEST(ProgramSwarm, BrokenFilesAreRefusedInOneLine) {
               R"("id": "x", )" + end + "]}",
           "another vehicle's");
   refused(R"({"arrival": 2, "vehicles": [)" + start + R"("speed": 0, )" + end + "]}", "positive");
-  refused(R"({"arrival": 2, "vehicles": [)" + start + end + R"(, {"file": "x.json"}]})", "either");
+  refused(R"({"arrival": 2, "vehicles": [)" + start + end + R"(, {"file": "x.json"}]})", "x.json");
+  refused(R"({"arrival": 2, "vehicles": [)" + start + R"("altitude": "high", )" + end + "]}",
+          "altitude");
   refused(R"({"vehicles": [{"file": "x.json"}]})", "x.json");
   refused(std::string(100000, '['), "deeper");
   write_text(program.path("fast.json"), R"({"length": 2, "vehicles": [)" + start + end + ", " +
