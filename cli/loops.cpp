@@ -152,8 +152,10 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeLoop& loop) {
   if (loop.roll != 0.0) shape += ", rolled by " + to_six_digits(loop.roll) + " rad";
   rows.emplace_back("Loop", shape);
   if (loop.chosen) {
-    rows.emplace_back("Chosen", "least " + loop.purpose + ", " +
-                                    to_six_digits(loop.chosen->value.middle()) + ", of " +
+    const Enclosure& value = loop.chosen->value;
+    const std::string size = value.lower() > 0.0 ? to_six_digits(value.middle())
+                                                 : "at most " + to_six_digits(value.upper());
+    rows.emplace_back("Chosen", "least " + loop.purpose + ", " + size + ", of " +
                                     std::to_string(loop.chosen->evaluations) + " loops looked at");
   }
   const LoopFacts& facts = loop.facts;
