@@ -73,7 +73,8 @@ Fault in_terms_of_climb(Fault fault, double rise, double ground_length, double a
 
 Result<ClimbPath> lift(TurnLimitedPath plan, const HeadedPoint& begin, double rise,
                        double ground_length) {
-  auto path = lifted(plan.path, begin.position.z, rise / ground_length);
+  // Over the plan's own length, which has the rounding of its spans: so the altitude is met.
+  auto path = lifted(plan.path, begin.position.z, rise / plan.path.arc_length());
   if (!path) return path.fault();
   return ClimbPath{*std::move(path),   std::atan2(rise, ground_length),
                    ground_length,      plan.shape,

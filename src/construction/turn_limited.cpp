@@ -35,6 +35,9 @@ constexpr double least_arc = 0x1.0p-24;
 /// An arc of a smaller angle α is made one quintic with its neighbour: as one of its own, the
 /// rounding of its coefficients would be ε/α of its curvature.
 constexpr double least_angle = 0x1.0p-28;
+/// Joined arcs end with one of at least this angle: a quintic along less has a length so close to
+/// its chord's that rounding decides its shape.
+constexpr double least_joined = 0x1.0p-5;
 /// Whole turns are taken where the length is more than this many times the shortest.
 constexpr double loiter_beyond = 2.0;
 constexpr std::size_t most_whole_turns = 64;
@@ -200,12 +203,27 @@ std::optional<Skeleton> same_side_of_length(const Ends& ends, double s, std::siz
   return same_side(ends, s, m, radius);
 }
 
-/// Takes the better of two: less turning.
-void keep_better(std::optional<Skeleton>& best, std::optional<Skeleton> other, double length) {
-  if (!other) return;
-  if (!(std::abs(other->length() - length) <= 4.0 * rounding * length)) return;
-  if (!best || other->turning() < best->turning()) best = std::move(other);
-}
+/// Skeletons that have the length, those of less turning first.
+class Candidates {
+ public:
+  explicit Candidates(double length) : length_(length) {}
+
+  void add(std::optional<Skeleton> one) {
+    if (one && std::abs(one->length() - length_) <= rounding * length_) {
+      list_.push_back(*std::move(one));
+    }
+  }
+  std::vector<Skeleton> sorted() && {
+    std::stable_sort(list_.begin(), list_.end(), [](const Skeleton& a, const Skeleton& b) {
+      return a.turning() < b.turning();
+    });
+    return std::move(list_);
+  }
+
+ private:
+  double length_;
+  std::vector<Skeleton> list_;
+};
 
 /// x - sin x, to rounding.
 double bow(double x) {
@@ -239,56 +257,86 @@ std::optional<Skeleton> swerving(const Skeleton& plain, double length) {
   return found;
 }
 
-std::optional<Skeleton> without_whole_turns(const Ends& ends, double length) {
-  std::optional<Skeleton> best;
-  for (const double s : {1.0, -1.0}) {
-    keep_better(best, same_side_of_length(ends, s, 0, length), length);
-  }
+/// Adds every skeleton of the length that `family` has between two values of its parameter, where
+/// a grid brackets it.
+void add_from_grid(Candidates& candidates, double length, double low, double ratio, double shift,
+                   const Word& family) {
   constexpr int steps = 40;
-  const double most = 4.0 * std::max(length, ends.radius);
-  const double ratio = std::pow(most / ends.radius, 1.0 / steps);
-  for (const Word& word : words_on_a_grid(ends)) {
-    double before = ends.radius;
-    auto shape = word(before);
-    double value = shape ? shape->length() - length : 0.0;
-    if (shape && std::abs(value) <= rounding * length) keep_better(best, shape, length);
-    for (int i = 1; i <= steps; ++i) {
-      const double radius = before * ratio;
-      const auto next = word(radius);
-      const double next_value = next ? next->length() - length : 0.0;
-      if (shape && next && value * next_value < 0.0) {
-        const double sign = next_value > 0.0 ? 1.0 : -1.0;
-        bool valid = true;
-        const double root = bisected(before, radius, [&](double r) {
-          const auto here = word(r);
-          valid = valid && here.has_value();
-          return here ? sign * (here->length() - length) : 0.0;
-        });
-        if (valid) keep_better(best, word(root), length);
-      }
-      before = radius;
-      shape = next;
-      value = next_value;
+  double before = low;
+  auto shape = family(before);
+  double value = shape ? shape->length() - length : 0.0;
+  candidates.add(shape);
+  for (int i = 1; i <= steps; ++i) {
+    const double parameter = before * ratio + shift;
+    auto next = family(parameter);
+    const double next_value = next ? next->length() - length : 0.0;
+    if (shape && next && value * next_value < 0.0) {
+      const double sign = next_value > 0.0 ? 1.0 : -1.0;
+      bool valid = true;
+      const double root = bisected(before, parameter, [&](double r) {
+        const auto here = family(r);
+        valid = valid && here.has_value();
+        return here ? sign * (here->length() - length) : 0.0;
+      });
+      if (valid) candidates.add(family(root));
     }
+    before = parameter;
+    shape = std::move(next);
+    value = next_value;
   }
-  for (const Skeleton& plain : words_at(ends, ends.radius)) {
-    if (plain.whole_turns == 0) keep_better(best, swerving(plain, length), length);
-  }
-  return best;
 }
 
-/// Whole turns: as many as the radius allows, on the side that turns less.
-std::optional<Skeleton> with_whole_turns(const Ends& ends, double length) {
-  std::optional<Skeleton> best;
+std::vector<Skeleton> without_whole_turns(const Ends& ends, double length) {
+  Candidates candidates(length);
+  for (const double s : {1.0, -1.0}) candidates.add(same_side_of_length(ends, s, 0, length));
+  constexpr double steps = 40.0;
+  const double most = 4.0 * std::max(length, ends.radius);
+  for (const Word& word : words_on_a_grid(ends)) {
+    add_from_grid(candidates, length, ends.radius, std::pow(most / ends.radius, 1.0 / steps), 0.0,
+                  word);
+  }
+  for (const Skeleton& plain : words_at(ends, ends.radius)) {
+    if (plain.whole_turns == 0) candidates.add(swerving(plain, length));
+  }
+  auto found = std::move(candidates).sorted();
+  if (!found.empty()) return found;
+  // A line ahead at the start, or at the end: from the shortest word on, every length near it.
+  Candidates with_lines(length);
+  for (const bool at_end : {false, true}) {
+    const Vector2<double> along =
+        hodograph_form(Complex<double>{std::cos(0.5 * (at_end ? ends.last : ends.first)),
+                                       std::sin(0.5 * (at_end ? ends.last : ends.first))},
+                       Complex<double>{std::cos(0.5 * (at_end ? ends.last : ends.first)),
+                                       std::sin(0.5 * (at_end ? ends.last : ends.first))});
+    for (std::size_t which = 0; which < 8; ++which) {
+      const Word led = [&, which](double line) -> std::optional<Skeleton> {
+        Ends rest = ends;
+        rest.way = ends.way - line * along;
+        auto one = which < 2 ? same_side(rest, which == 0 ? 1.0 : -1.0, 0, ends.radius)
+                             : words_on_a_grid(rest)[which - 2](ends.radius);
+        if (!one) return std::nullopt;
+        one->moves.insert(at_end ? one->moves.end() : one->moves.begin(), Move{0.0, line});
+        return one;
+      };
+      add_from_grid(with_lines, length, 0.0, 1.0, length / steps, led);
+    }
+  }
+  return std::move(with_lines).sorted();
+}
+
+/// Whole turns: as many as the radius allows, on the side that turns less; then fewer.
+std::vector<Skeleton> with_whole_turns(const Ends& ends, double length) {
   const double room = length / (turn * ends.radius);
   std::size_t m = room < static_cast<double>(most_whole_turns) ? static_cast<std::size_t>(room)
                                                                : most_whole_turns;
-  for (; m > 0 && !best; --m) {
-    for (const double s : {1.0, -1.0}) {
-      keep_better(best, same_side_of_length(ends, s, m, length), length);
-    }
+  std::vector<Skeleton> found;
+  constexpr std::size_t enough = 4;
+  for (; m > 0 && found.size() < enough; --m) {
+    Candidates candidates(length);
+    for (const double s : {1.0, -1.0}) candidates.add(same_side_of_length(ends, s, m, length));
+    for (Skeleton& one : std::move(candidates).sorted()) found.push_back(std::move(one));
   }
-  return best;
+  return found;
 }
 
 /// The least length from which on whole turns meet every one.
@@ -371,7 +419,8 @@ std::vector<Group> groups_of(const Skeleton& skeleton, const ArcPieces& pieces) 
     const bool is_arc = move.straight == 0.0;
     if (is_arc && std::abs(move.angle) < least_angle) short_arcs += std::abs(move.angle);
     if (!is_arc) lines += move.straight;
-    const bool longer_arc = is_arc && std::abs(move.angle) >= least_angle;
+    const double needed = short_arcs > 0.0 ? least_joined : least_angle;
+    const bool longer_arc = is_arc && std::abs(move.angle) >= needed;
     if (longer_arc || (lines > 0.0 && lines >= long_enough * short_arcs * skeleton.radius)) {
       groups.push_back(std::move(open));
       open.clear();
@@ -502,22 +551,19 @@ double unit_of(const DirectedPoint& begin, const DirectedPoint& end, double leng
   return std::ldexp(1.0, std::clamp(exponent, -1000, 1000));
 }
 
-Result<TurnLimitedPath> made_along(const Skeleton& skeleton, const ArcPieces& pieces,
-                                   const DirectedPoint& begin, double unit, double turn_radius) {
-  auto path = spans_along(skeleton, pieces, begin, unit);
-  if (!path) return path.fault();
-  const double most = curvature_bound(*path);
-  if (!keeps(most, turn_radius)) {
-    return Fault{FaultCode::no_interpolant,
-                 "numbers too far apart in size: the arcs' curvature " + to_text(most) +
-                     " exceeds 1/" + to_text(turn_radius) + " by rounding",
-                 std::nullopt,
-                 "curvature",
-                 most,
-                 1.0 / turn_radius};
+/// The path along the first skeleton whose quintics keep the radius, certified.
+std::optional<TurnLimitedPath> first_made(const std::vector<Skeleton>& skeletons,
+                                          const ArcPieces& pieces, const DirectedPoint& begin,
+                                          double unit, double turn_radius) {
+  for (const Skeleton& skeleton : skeletons) {
+    auto path = spans_along(skeleton, pieces, begin, unit);
+    if (!path) continue;
+    const double most = curvature_bound(*path);
+    if (!keeps(most, turn_radius)) continue;
+    return TurnLimitedPath{*std::move(path), skeleton.shape, skeleton.whole_turns,
+                           unit * skeleton.radius, most};
   }
-  return TurnLimitedPath{*std::move(path), skeleton.shape, skeleton.whole_turns,
-                         unit * skeleton.radius, most};
+  return std::nullopt;
 }
 
 Fault not_reached(const Ends& ends, double length, double unit, double turn_radius) {
@@ -569,22 +615,21 @@ Result<TurnLimitedPath> turn_limited_path(const DirectedPoint& begin, const Dire
     const bool far_longer =
         scaled > loiter_beyond * shortest_word(ends) && scaled >= loiter_length(ends);
     if (far_longer) {
-      if (const auto loiter = with_whole_turns(ends, scaled)) {
-        return made_along(*loiter, coarse_pieces, begin, unit, turn_radius);
-      }
+      auto made =
+          first_made(with_whole_turns(ends, scaled), coarse_pieces, begin, unit, turn_radius);
+      if (made) return *std::move(made);
     }
     if (any) {
       if (auto found = one_span(begin, end, length, turn_radius)) return *std::move(found);
     }
   }
   for (const ArcPieces& pieces : {coarse_pieces, fine_pieces}) {
+    if (too_short) break;
     const Ends these = ends_of(begin, end, turn_radius, pieces, unit);
-    std::optional<Skeleton> skeleton;
-    if (!too_short) {
-      skeleton = without_whole_turns(these, scaled);
-      if (!skeleton) skeleton = with_whole_turns(these, scaled);
+    for (const auto& skeletons : {without_whole_turns, with_whole_turns}) {
+      auto made = first_made(skeletons(these, scaled), pieces, begin, unit, turn_radius);
+      if (made) return *std::move(made);
     }
-    if (skeleton) return made_along(*skeleton, pieces, begin, unit, turn_radius);
   }
   return not_reached(ends_of(begin, end, turn_radius, fine_pieces, unit), scaled, unit,
                      turn_radius);
@@ -612,19 +657,19 @@ Result<TurnLimitedPath> shortest_turn_limited_path(const DirectedPoint& begin,
   }
   const double unit = unit_of(begin, end, std::max(chord, least), turn_radius);
   const Ends ends = ends_of(begin, end, turn_radius, coarse_pieces, unit);
-  std::optional<Skeleton> arcs;
+  std::vector<Skeleton> words;
   for (Skeleton& one : words_at(ends, ends.radius)) {
     const bool some = one.length() > rounding * ends.radius;  // else it stands where it is
-    if (some && one.length() * unit >= least && (!arcs || one.length() < arcs->length())) {
-      arcs = std::move(one);
-    }
+    if (some && one.length() * unit >= least) words.push_back(std::move(one));
   }
-  const double every = loiter_length(ends);
-  if (!arcs || every < arcs->length()) {
-    if (auto loiter = with_whole_turns(ends, every)) arcs = std::move(loiter);
+  for (Skeleton& one : with_whole_turns(ends, loiter_length(ends))) {
+    words.push_back(std::move(one));
   }
-  if (!arcs) return not_reached(ends, least / unit, unit, turn_radius);
-  const double length = unit * arcs->length();
+  std::stable_sort(words.begin(), words.end(),
+                   [](const Skeleton& a, const Skeleton& b) { return a.length() < b.length(); });
+  const auto arcs = first_made(words, coarse_pieces, begin, unit, turn_radius);
+  if (!arcs) return not_reached(ends, std::max(least, chord) / unit, unit, turn_radius);
+  const double length = arcs->path.arc_length();
   // One quintic, from the least length (a little more than the distance) to the arcs' and the
   // detour: the first of a grid that keeps the radius, then bisected.
   const double limit = (1.0 + choice.most_detour) * length;
@@ -656,7 +701,7 @@ Result<TurnLimitedPath> shortest_turn_limited_path(const DirectedPoint& begin,
     }
     return *std::move(span);
   }
-  return made_along(*arcs, coarse_pieces, begin, unit, turn_radius);
+  return *arcs;
 }
 
 }  // namespace hodograph

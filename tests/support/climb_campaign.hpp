@@ -146,7 +146,9 @@ inline std::string complaint_about(const Fault& fault, const ClimbRequest& r,
   if (fault.sentence.find("at least") != std::string::npos ||
       fault.sentence.find("straight line") != std::string::npos) {
     ++campaign.too_little;
-    if (!(length <= rounded_up * shortest)) return "it could be met: " + fault.sentence;
+    // Back to where it began: a path of no length, or a whole turn.
+    const bool back = shortest < 0x1.0p-20 * r.limits.turn_radius && chord == 0.0;
+    if (!back && !(length <= rounded_up * shortest)) return "it could be met: " + fault.sentence;
   } else {
     ++campaign.between;
   }
