@@ -163,7 +163,7 @@ std::unique_ptr<Command> frame_command(CLI::App& program) {
       {"hodograph frame loop.json -o frames.csv",
        "hodograph frame loop.json --kind periodic --gamma smooth-negative --report frame.html -o "
        "frames.csv",
-       "hodograph frame climb.json --kind least-twist --begin-normal 0,0,1 --end-normal 0,0,1 "
+       "hodograph frame track.json --kind least-twist --begin-normal 0,0,1 --end-normal 0,0,1 "
        "--format json"});
   command->note(
       "A row holds xi, arc length, position, roll against the Euler-Rodrigues frame, rotation as "
