@@ -17,9 +17,9 @@ using Json = nlohmann::json;
 
 constexpr const char* curve_23 = "1.5*sin(7.2*t), cos(9*t), exp(cos(1.8*t))";
 
-const std::vector<std::string> commands = {"fit",     "orbit", "spline",     "hermite", "corner",
-                                           "plan",    "swarm", "separation", "offset",  "sample",
-                                           "inspect", "check", "plot",       "batch",   "version"};
+const std::vector<std::string> commands = {
+    "fit",        "orbit",  "spline", "hermite", "corner", "loop", "frame", "plan",   "swarm",
+    "separation", "offset", "sample", "inspect", "check",  "plot", "batch", "version"};
 
 /// Fits curve (23) of the PHODCOS paper into curve.json.
 void make_curve(const Program& program) {
@@ -98,7 +98,7 @@ TEST(ProgramHelp, EveryExampleRuns) {
       ++examples;
     }
   }
-  EXPECT_GE(examples, 31);
+  EXPECT_GE(examples, 37);
 }
 
 TEST(ProgramUsage, WrongCommandLinesAreOneLineAndExitTwo) {
