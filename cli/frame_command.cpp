@@ -161,7 +161,7 @@ std::unique_ptr<Command> frame_command(CLI::App& program) {
   command->option("--report", flags->report, "FILE", "an HTML report with pictures");
   command->examples(
       {"hodograph frame loop.json -o frames.csv",
-       "hodograph frame loop.json --kind periodic --gamma smooth-negative --report frame.html -o "
+       "hodograph frame loop.json --kind periodic --gamma least --report frame.html -o "
        "frames.csv",
        "hodograph frame track.json --kind least-twist --begin-normal 0,0,1 --end-normal 0,0,1 "
        "--format json"});
