@@ -17,6 +17,9 @@
 namespace {
 
 using namespace hodograph;
+
+constexpr double goals[] = {1e-6, 1e-9, 1e-12};  // not a tolerance: the accuracies compared
+
 using A = Quaternion<double>;
 
 /// Buffers of both rivals, so that neither pays for memory.
@@ -129,7 +132,7 @@ void run(const char* name, const SpatialPath<n>& path) {
     bench::keep(frames);
   });
   std::printf("  preparation %.2f us a segment\n",
-              1e-3 * preparation / static_cast<double>(path.segment_count()));
+              preparation / 1000.0 / static_cast<double>(path.segment_count()));
   std::printf("  %9s %12s | %22s | %30s | %s\n", "frames", "exact", "same frames, reflected",
               "same time: error, x less exact", "to an error: times our time");
   for (const std::size_t per_segment : {10UL, 100UL, 1000UL, 10000UL}) {
@@ -152,7 +155,7 @@ void run(const char* name, const SpatialPath<n>& path) {
     std::printf("  %9zu %9.1f ns | %9.1f ns %9.1e | %12.1e %12.0fx | ", count,
                 our_time / static_cast<double>(count), same[0] / static_cast<double>(count),
                 same[1], equal_time[1], equal_time[1] / roll.error_bound());
-    for (const double goal : {1e-6, 1e-9, 1e-12}) {  // not tolerances: the accuracies compared
+    for (const double goal : goals) {
       // Fourth order: as many steps a frame as the error asks for.
       const auto stride =
           static_cast<std::size_t>(std::max(1.0, std::ceil(std::pow(same[1] / goal, 0.25))));
