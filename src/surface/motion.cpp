@@ -231,7 +231,7 @@ std::optional<Fault> Motion::set_scale(const std::vector<double>& scale) {
     }
     constexpr double narrow = 0.9;  // of the smallest to the largest coefficient: near enough
     if (*low > 0.0 && (*low >= narrow * *high || part.depth >= deepest)) {
-      const double slack = accuracy::join_error<double>();
+      const double slack = whole.degree() == 0 ? 0.0 : accuracy::join_error<double>();
       largest_scale_ = std::max(largest_scale_, *high * (1.0 + slack));
       least_scale_ = std::min(least_scale_, *low * (1.0 - slack));
       continue;

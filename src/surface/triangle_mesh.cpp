@@ -37,19 +37,30 @@ class Classes {
   std::vector<std::uint32_t> parent_;
 };
 
+/// All sides, equal ends together: counted into runs of one smaller end, which are short.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint64_t a = mesh.position_index(mesh.triangles[t][i]);
-      const std::uint64_t b = mesh.position_index(mesh.triangles[t][(i + 1) % 3]);
-      sides.push_back({std::min(a, b) << 32 | std::max(a, b), static_cast<std::uint32_t>(t),
-                       static_cast<std::uint8_t>(i), a < b});
+  std::vector<std::uint32_t> begin(mesh.positions.size() + 1, 0);
+  const auto for_each_side = [&mesh](const auto& visit) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& triangle = mesh.triangles[t];
+      const Index p[3] = {mesh.position_index(triangle[0]), mesh.position_index(triangle[1]),
+                          mesh.position_index(triangle[2])};
+      for (std::size_t i = 0; i < 3; ++i) visit(t, i, p[i], p[(i + 1) % 3]);
     }
+  };
+  for_each_side([&](std::size_t, std::size_t, Index a, Index b) { ++begin[std::min(a, b) + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Side> sides(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for_each_side([&](std::size_t t, std::size_t i, Index a, Index b) {
+    const std::uint64_t low = std::min(a, b), high = std::max(a, b);
+    sides[next[low]++] = {low << 32 | high, static_cast<std::uint32_t>(t),
+                          static_cast<std::uint8_t>(i), a < b};
+  });
+  for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
+    std::sort(sides.begin() + begin[p], sides.begin() + begin[p + 1],
+              [](const Side& a, const Side& b) { return a.ends < b.ends; });
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.ends < b.ends; });
   return sides;
 }
 
