@@ -73,7 +73,7 @@ inline std::string complaint_about(const ClimbPath& made, const ClimbRequest& r,
   for (const auto& curve : path.segments()) {
     size = std::max(size, curve.parameter_step() * curve.speed_bound());
   }
-  size += largest_component(r.begin.position) + largest_component(r.end.position);
+  size += made.arc_radius + largest_component(r.begin.position) + largest_component(r.end.position);
   const Vector3<double> gap = path.segments().back().end() - r.end.position;
   const double end = largest_component(gap) / (size * epsilon<double>());
   campaign.worst_end = std::max(campaign.worst_end, end);

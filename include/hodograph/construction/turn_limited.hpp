@@ -49,7 +49,8 @@ struct TurnLimitedPath {
 /// finite); no_interpolant: S is below the shortest path of that curvature (`bound`, 2^-20 above
 /// the least radius' own), or between lengths that arcs reach (`bound`: from there on every length
 /// is met).
-/// Accuracy: length and end to some ε of S for each span; the radius is kept with certainty.
+/// Accuracy: length and end to some ε of S and of the arcs' radius for each span; the radius is
+/// kept with certainty.
 Result<TurnLimitedPath> turn_limited_path(const DirectedPoint& begin, const DirectedPoint& end,
                                           double length, double turn_radius);
 
