@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "hodograph/path/planar_curvature.hpp"
+#include "tests/support/plan_judge.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/star_worlds.hpp"
 
@@ -18,30 +19,7 @@ namespace {
 using test::Random;
 using P = Vector2<double>;
 
-double distance(const P& p, const P& a, const P& b) {
-  const P d = b - a;
-  const double t = std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0);
-  const P off = p - a - t * d;
-  return std::hypot(off.x, off.y);
-}
-
-/// The least distance of sampled points from the edges of the world, and the largest |κ| of them.
-void expect_limits_at_samples(const Plan& plan, const World& world, const VehicleLimits& limits) {
-  constexpr int samples = 3000;
-  for (int k = 0; k <= samples; ++k) {
-    const double xi = plan.path.clamped(plan.path.xi_begin() +
-                                        (plan.path.xi_end() - plan.path.xi_begin()) * k / samples);
-    const P p = plan.path.position(xi);
-    const double curvature = std::abs(hodograph::curvature(plan.path.preimage_jet<1>(xi)));
-    EXPECT_LE(curvature * limits.turn_radius, 1.0 + planning_tolerance);
-    for (const Polygon& polygon : world.obstacles()) {
-      for (std::size_t i = 0; i < polygon.outer.size(); ++i) {
-        const P &a = polygon.outer[i], &b = polygon.outer[next_vertex(i, polygon.outer.size())];
-        ASSERT_GE(distance(p, a, b), limits.distance() - 2.0 * planning_tolerance * 15.0);
-      }
-    }
-  }
-}
+using test::expect_limits_at_samples;
 
 TEST(Planner, KeepsItsLimitsInRandomWorlds) {
   Random random("plans in random worlds");
@@ -81,6 +59,10 @@ TEST(Planner, KeepsItsLimitsInRandomWorlds) {
 
 /// A block in the way, whose shortest way round has two corners of 4 apart.
 World block() { return World::create({{{{0, -2}, {4, -2}, {4, 2}, {0, 2}}, {}, "block"}}).value(); }
+
+TEST(Planner, KeepsItsLimitsInDegenerateWorlds) {
+  test::plan_in_degenerate_worlds("plans in degenerate worlds", 40);
+}
 
 TEST(Planner, GivesEveryCornerTheOffsetOfItsAngle) {
   const VehicleLimits limits{0.5, 0.25, 0.5};
