@@ -147,6 +147,10 @@ class Expansion {
         sums_(nodes + bottom_.size - 1),
         differences_(nodes + bottom_.size - 1),
         residual_(std::max(top_.size, nodes + bottom_.size - 1)) {
+    if constexpr (std::same_as<S, double>) {
+      for (const double c : fraction.denominator) floor_ = std::max(floor_, std::abs(c));
+      floor_ *= 8.0 * epsilon<double>();
+    }
     std::copy(fraction.numerator.begin(), fraction.numerator.end(), numerator(0));
     std::copy(fraction.denominator.begin(), fraction.denominator.end(), denominator(0));
   }
@@ -191,7 +195,7 @@ class Expansion {
   bool expanded(RateSeries& series, const S* numerator, const S* denominator, bool last) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < bottom_.size; ++i) least = std::min(least, lower(denominator[i]));
-    if (!(least > 0.0)) return false;
+    if (!(least > floor_)) return false;
     auto sample = values_at_nodes(top_, numerator);
     const auto below = values_at_nodes(bottom_, denominator);
     for (std::size_t j = 0; j < nodes; ++j) sample[j] /= below[j];
@@ -218,7 +222,7 @@ class Expansion {
     double found = 0.0, improvable = 0.0;
     if (std::same_as<S, double> && bottom_.size <= 2 * nodes && top_.size <= nodes) {
       improvable = remainder(c);
-      found = improvable + rounding;
+      found = improvable + rounding + floor_ * series_size;
     } else {
       chebyshev_coefficients(top_, numerator, p_.data());
       residual(c);
@@ -226,7 +230,7 @@ class Expansion {
         found += magnitude(x);
         improvable += std::abs(middle(x));  // shorter pieces do not make enclosures narrower
       }
-      if constexpr (std::same_as<S, double>) found += rounding;
+      if constexpr (std::same_as<S, double>) found += rounding + floor_ * series_size;
     }
     constexpr double margin = 1.0 + 64.0 * std::numeric_limits<double>::epsilon();
     series.error = margin * found / least;
@@ -280,6 +284,9 @@ class Expansion {
   /// Of a radian.
   static constexpr double negligible = std::numeric_limits<double>::epsilon() / 16.0;
 
+  /// Eight roundings of the largest coefficient of a denominator in doubles, which its coefficients
+  /// may be off: below, nothing is known of its sign.
+  double floor_ = 0.0;
   const Tables& top_;
   const Tables& bottom_;
   const std::function<bool(const RateSeries&)>& take_;

@@ -19,6 +19,11 @@ namespace hodograph::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+/// What enclosures of the twist of tame paths are at most wide: some ten thousand roundings, for
+/// their pieces are restricted, transformed and multiplied in outward arithmetic.
+constexpr double narrow = 0x1.0p-38;
+/// Of angles up to some turns: some hundred roundings.
+constexpr double roundings = 0x1.0p-44;
 
 /// ∫ of ω₁ ds and of its size between given knots, in long double: `panels` panels of 12 nodes,
 /// split where the sense changes.
@@ -62,7 +67,8 @@ Integrals integrals(const SpatialPath<n>& path, const std::vector<TwistInflectio
 
 /// Within 2^-60: the rounding of long double and what the quadrature leaves of tame rates.
 void expect_enclosed(const Enclosure& enclosure, long double expected) {
-  const long double slack = 0x1.0p-56L * (1 + std::abs(expected));
+  constexpr long double rounding = 0x1.0p-56L;  // some hundred of the 2^-64 of long double
+  const long double slack = rounding * (1 + std::abs(expected));
   EXPECT_LE(static_cast<long double>(enclosure.lower()), expected + slack);
   EXPECT_GE(static_cast<long double>(enclosure.upper()), expected - slack);
 }
@@ -78,12 +84,13 @@ void expect_right(Random& random) {
     });
     expect_enclosed(twist.total, expected.total);
     expect_enclosed(twist.absolute, expected.absolute);
-    EXPECT_LE(twist.total.width(), 0x1.0p-38);
-    EXPECT_LE(twist.absolute.width(), 0x1.0p-38);
+    EXPECT_LE(twist.total.width(), narrow);
+    EXPECT_LE(twist.absolute.width(), narrow);
     for (const auto& inflection : twist.inflections) {
       EXPECT_EQ(inflection.kind, RootKind::simple);
       const AdaptedFrame frame(path, FrameRoll::linear(path, 0.1, linear));
-      const double at = inflection.xi.middle(), h = 0x1.0p-16;
+      const double at = inflection.xi.middle();
+      const double h = 0x1.0p-16;  // not a tolerance: how far to either side it is looked
       if (at - h < path.xi_begin() || at + h > path.xi_end()) continue;
       EXPECT_LT(frame.body_rate_per_xi(at - h).x * frame.body_rate_per_xi(at + h).x, 0.0);
     }
@@ -127,14 +134,14 @@ TEST(FrameTwist, OfTheFrenetFrameIsTheTotalTorsion) {
 
 /// (3) of the paper corrected: with coincident Frenet frames ∫ τ ds = T_ERF - 2ψ + 2πk.
 TEST(FrameTwist, TotalTorsionOfLoopsIsNoMultipleOfATurn) {
+  constexpr double wide = 0x1.0p-36;  // enclosures of torsion, of degree 18, are this wide
   const double expected[] = {0.0899257, 3.6664482, 0.0640967};
   const LoopShape shapes[] = {{1.0, 0.6 * pi}, {-1.0, 0.1 * pi}, {0.0, 0.6 * pi}};
   for (int i = 0; i < 3; ++i) {
     const auto path = closed_loop(shapes[i]).value();
     const double total = frame_twist(path, frenet_roll(path).value())->total.middle();
     const double erf = frame_twist(path, FrameRoll::none(path))->total.middle();
-    EXPECT_NEAR(std::remainder(total - (erf - 2.0 * shapes[i].psi), 2.0 * pi), 0.0,
-                0x1.0p-36);             // not a tolerance alone: the width of enclosures of torsion
+    EXPECT_NEAR(std::remainder(total - (erf - 2.0 * shapes[i].psi), 2.0 * pi), 0.0, wide);
     constexpr double printed = 0.5e-7;  // not a tolerance: half of the last digit printed
     EXPECT_NEAR(total, expected[i], printed);
   }
@@ -150,7 +157,7 @@ TEST(FrameTwist, SymmetriesOfClosedLoops) {
       return frame_twist(path, FrameRoll::none(path)).value();
     };
     const auto one = twist(xi, psi), mirrored = twist(-xi, -psi), back = twist(xi, -psi);
-    const double allowed = 4 * one.total.width() + 0x1.0p-44;
+    const double allowed = 4 * one.total.width() + roundings;
     EXPECT_NEAR(mirrored.total.middle(), -one.total.middle(), allowed);
     EXPECT_NEAR(back.total.middle(), -one.total.middle(), allowed);
     EXPECT_NEAR(mirrored.absolute.middle(), one.absolute.middle(), allowed);
@@ -171,17 +178,17 @@ TEST(FrameTwist, TheLeastIsTheLeast) {
   for (int repeat = 0; repeat < 20; ++repeat) {
     const auto path = closed_loop({random.uniform(-3, 3), random.uniform(-pi, pi)}).value();
     const auto least = frame_twist(path, least_twist_roll(path).value()).value();
-    EXPECT_LE(least.absolute.upper(), pi + 0x1.0p-44);
+    EXPECT_LE(least.absolute.upper(), pi + roundings);
     const auto best = least_twist_gamma(path).value();
-    EXPECT_LE(least.absolute.lower(), best.absolute_twist + 0x1.0p-44);
+    EXPECT_LE(least.absolute.lower(), best.absolute_twist + roundings);
     for (int i = 0; i < 10; ++i) {
       const double gamma = std::exp(random.uniform(-4.0, 4.0)) * random.sign();
       const auto twist = frame_twist(path, periodic_roll(path, gamma).value()).value();
-      EXPECT_LE(best.absolute_twist, twist.absolute.upper() + 0x1.0p-40);
+      EXPECT_LE(best.absolute_twist, twist.absolute.upper() + narrow);
       EXPECT_LE(std::abs(twist.total.middle()), twist.absolute.upper());
     }
     const auto at = frame_twist(path, periodic_roll(path, best.gamma).value()).value();
-    EXPECT_NEAR(at.absolute.middle(), best.absolute_twist, 0x1.0p-40);
+    EXPECT_NEAR(at.absolute.middle(), best.absolute_twist, narrow);
   }
 }
 
