@@ -202,7 +202,8 @@ def six():
     for k in range(6):
         angle = math.pi * k / 3
         p = (0.2 * math.cos(angle), 0.2 * math.sin(angle))
-        vehicles.append(vehicle("abcdef"[k], p, starts[k], (p[0] + 1, p[1]), ends[k]))
+        vehicles.append(vehicle("abcdef"[k], p, starts[k], (p[0] + 1, p[1]), ends[k],
+                                ', "most_curvature": 12'))
     return swarm({"excess": "0.125", "clearance": "0.01125"}, vehicles)
 
 
@@ -232,8 +233,10 @@ def mixed():
     ]
     return swarm({"excess": "0.125", "clearance": "0.02",
                   "deconflict": '{"longest_delay": 0.25, "delays": 8}'},
-                 given + [vehicle("a", (0, 0.5), 0.4, (1, 0.1), -0.5, ', "radius": 0.02'),
-                          vehicle("b", (0, 0.1), -0.3, (1, 0.6), 0.6, ', "radius": 0.02')])
+                 given + [vehicle("a", (0, 0.5), 0.55, (1, 0.1), -1.3,
+                                  ', "radius": 0.02, "most_curvature": 12'),
+                          vehicle("b", (0, 0.1), -0.4, (1, 0.6), 1.3,
+                                  ', "radius": 0.02, "most_curvature": 12')])
 
 
 def straight(name, start, end):
