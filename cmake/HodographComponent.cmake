@@ -20,6 +20,15 @@ function(hodograph_component name)
     add_library(${target} ${sources})
     set(scope PUBLIC)
     hodograph_warnings(${target})
+    if(PROJECT_IS_TOP_LEVEL)  # one precompiled header for all components
+      if(name STREQUAL "core")
+        target_precompile_headers(${target} PRIVATE
+          <algorithm> <array> <cmath> <cstddef> <functional> <limits> <optional> <span> <string>
+          <utility> <vector> <hodograph/path/path.hpp>)
+      else()
+        target_precompile_headers(${target} REUSE_FROM hodograph_core)
+      endif()
+    endif()
   else()
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
