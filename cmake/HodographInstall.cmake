@@ -38,6 +38,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/package/hodographConfig.cmake"
   "${PROJECT_BINARY_DIR}/package/hodographConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindFLINT.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindOpenCASCADE.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindGeographicLib.cmake"
   DESTINATION "${package_directory}")

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// The residue system: its matrix, its null space, and the antiderivatives.
+#include "hodograph/rational/solution_space.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include "flint.hpp"
+#include "hermite_reduction.hpp"
+#include "hodograph/rational/motion_polynomial.hpp"
+
+namespace hodograph {
+
+using rational_detail::HermiteReduction;
+using rational_detail::RationalMatrix;
+using rational_detail::raw;
+
+namespace {
+
+std::size_t degree_of(const RationalPolynomial& p) {
+  return static_cast<std::size_t>(std::max(p.degree(), 0));
+}
+
+/// The h of degree below `unknowns` ≤ deg α + deg rad α for which ∫ h F_c / (α rad α) has no part
+/// with simple poles, for every component F_c.
+std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
+                                             const std::vector<RationalPolynomial>& components,
+                                             std::size_t unknowns) {
+  const std::size_t rho = degree_of(reduction.radical());
+  // Columns by falling degree: the null space then comes in that echelon form.
+  RationalMatrix equations(components.size() * rho, unknowns);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    RationalPolynomial p = components[c] % reduction.denominator();
+    for (std::size_t k = 0; k < unknowns; ++k) {
+      const RationalPolynomial residue = reduction.reduce(p).logarithmic;
+      for (std::size_t i = 0; i < rho; ++i) {
+        equations.set_coefficient(c * rho + i, unknowns - 1 - k, residue, i);
+      }
+      p = p.times_power(1) % reduction.denominator();
+    }
+  }
+  const RationalMatrix solutions = equations.null_space();
+  std::vector<RationalPolynomial> result(solutions.rows());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < unknowns; ++j) {
+      fmpq_poly_set_coeff_fmpq(raw(result[i]), rational_detail::signed_size(unknowns - 1 - j),
+                               solutions.at(i, j));
+    }
+  }
+  return result;
+}
+
+/// The reduced echelon basis by falling degree of the span of some polynomials.
+std::vector<RationalPolynomial> echelon(const std::vector<RationalPolynomial>& span) {
+  std::size_t columns = 0;
+  for (const auto& p : span) columns = std::max(columns, degree_of(p) + 1);
+  RationalMatrix matrix(span.size(), columns);
+  for (std::size_t i = 0; i < span.size(); ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      matrix.set_coefficient(i, columns - 1 - j, span[i], j);
+    }
+  }
+  const std::size_t rank = matrix.reduce();
+  std::vector<RationalPolynomial> result(rank);
+  for (std::size_t i = 0; i < rank; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      fmpq_poly_set_coeff_fmpq(raw(result[i]), rational_detail::signed_size(columns - 1 - j),
+                               matrix.at(i, j));
+    }
+  }
+  return result;
+}
+
+/// The numerator over α of the antiderivative of h F_c / (α rad α) that has no constant.
+RationalPolynomial antiderivative(const HermiteReduction& reduction, const RationalPolynomial& p) {
+  const auto parts = reduction.reduce(p % reduction.denominator());
+  assert(parts.logarithmic.is_zero());
+  return parts.rational + reduction.alpha() * (p / reduction.denominator()).integral();
+}
+
+Fault degree_fault(const char* what, std::size_t degree, std::size_t bound) {
+  return {FaultCode::unsupported,
+          std::string(what) + " has degree " + std::to_string(degree) + "; at most " +
+              std::to_string(bound) + " is offered",
+          std::nullopt,
+          what,
+          static_cast<double>(degree),
+          static_cast<double>(bound)};
+}
+
+}  // namespace
+
+std::string_view name_of(CurveKind kind) {
+  switch (kind) {
+    case CurveKind::constant:
+      return "constant";
+    case CurveKind::polynomial:
+      return "polynomial";
+    case CurveKind::rational:
+      return "rational";
+  }
+  return "";
+}
+
+CurveKind kind_of(const VectorPolynomial& b, const RationalPolynomial& alpha) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!divides(alpha, b[c])) return CurveKind::rational;
+  }
+  return degree(b) <= alpha.degree() ? CurveKind::constant : CurveKind::polynomial;
+}
+
+Result<SolutionSpace> solve(const QuaternionPolynomial& a, const RationalPolynomial& alpha,
+                            std::size_t degree) {
+  if (alpha.is_zero()) {
+    return Fault{FaultCode::outside_domain,
+                 "the denominator alpha is 0; right would be any polynomial other than 0",
+                 std::nullopt, "alpha", 0.0};
+  }
+  if (const int n = hodograph::degree(a); n > static_cast<int>(largest_input_degree)) {
+    return degree_fault("A", static_cast<std::size_t>(n), largest_input_degree);
+  }
+  if (degree_of(alpha) > largest_input_degree) {
+    return degree_fault("alpha", degree_of(alpha), largest_input_degree);
+  }
+  if (degree > largest_solution_degree) {
+    return degree_fault("B", degree, largest_solution_degree);
+  }
+  auto reduced = reduction(a);
+  if (!reduced) return reduced.fault();
+
+  const HermiteReduction hermite(alpha);
+  SolutionSpace space;
+  space.reduction_ = *std::move(reduced);
+  space.alpha_ = alpha;
+  space.radical_ = hermite.radical();
+  space.indicatrix_ = indicatrix(space.reduction_.reduced);
+  space.degree_ = degree;
+
+  const VectorPolynomial& f = space.indicatrix_;
+  const std::size_t m = degree_of(alpha), rho = degree_of(space.radical_);
+  const std::size_t e = 2 * static_cast<std::size_t>(hodograph::degree(space.reduction_.reduced));
+  const std::size_t unknowns = degree + rho > e ? std::min(degree + rho - e, m + rho) : 0;
+
+  const RationalPolynomial half(Rational(-1, 2));
+  space.rational_numerators_ = residue_free(hermite, {f.x, f.y, f.z}, unknowns);
+  for (const RationalPolynomial& h : space.rational_numerators_) {
+    const VectorPolynomial r{antiderivative(hermite, h * f.x), antiderivative(hermite, h * f.y),
+                             antiderivative(hermite, h * f.z)};
+    space.basis_.push_back(half * r);
+  }
+  if (degree > m + e) {
+    space.polynomials_ = degree - m - e;
+    for (std::size_t k = space.polynomials_; k-- > 0;) {
+      const VectorPolynomial r{f.x.times_power(k).integral(), f.y.times_power(k).integral(),
+                               f.z.times_power(k).integral()};
+      space.basis_.push_back(alpha * r);
+    }
+  }
+  if (degree >= m) {
+    space.constants_ = 3;
+    space.basis_.push_back({alpha, {}, {}});
+    space.basis_.push_back({{}, alpha, {}});
+    space.basis_.push_back({{}, {}, alpha});
+  }
+  return space;
+}
+
+std::vector<RationalPolynomial> SolutionSpace::lambda_numerators() const {
+  std::vector<RationalPolynomial> span = rational_numerators_;
+  const RationalPolynomial common = alpha_.monic() * radical_;
+  for (std::size_t k = 0; k < polynomials_; ++k) span.push_back(common.times_power(k));
+  return echelon(span);
+}
+
+std::vector<RationalPolynomial> SolutionSpace::rational_length_numerators() const {
+  const HermiteReduction hermite(alpha_);
+  const RationalPolynomial speed = norm_polynomial(preimage());
+  // ∫ λ |A|² is linear in λ: combinations of the truly rational elements without residues.
+  const std::size_t rho = degree_of(radical_), count = rational_numerators_.size();
+  RationalMatrix equations(rho, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const RationalPolynomial residue =
+        hermite.reduce((rational_numerators_[k] * speed) % hermite.denominator()).logarithmic;
+    for (std::size_t i = 0; i < rho; ++i) equations.set_coefficient(i, k, residue, i);
+  }
+  const RationalMatrix solutions = equations.null_space();
+  std::vector<RationalPolynomial> span(solutions.rows());
+  for (std::size_t i = 0; i < span.size(); ++i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      Rational c;
+      fmpq_set(raw(c), solutions.at(i, k));
+      span[i] += RationalPolynomial(c) * rational_numerators_[k];
+    }
+  }
+  const RationalPolynomial common = alpha_.monic() * radical_;
+  for (std::size_t k = 0; k < polynomials_; ++k) span.push_back(common.times_power(k));
+  return echelon(span);
+}
+
+std::vector<VectorPolynomial> SolutionSpace::canonical_basis() const {
+  const std::size_t count = degree_ + 1;
+  RationalMatrix matrix(basis_.size(), 3 * count);
+  for (std::size_t i = 0; i < basis_.size(); ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        matrix.set_coefficient(i, 3 * j + c, basis_[i][c], degree_ - j);
+      }
+    }
+  }
+  [[maybe_unused]] const std::size_t rank = matrix.reduce();
+  assert(rank == basis_.size());
+  std::vector<VectorPolynomial> result(basis_.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        fmpq_poly_set_coeff_fmpq(raw(result[i][c]), rational_detail::signed_size(degree_ - j),
+                                 matrix.at(i, 3 * j + c));
+      }
+    }
+  }
+  return result;
+}
+
+RationalPolynomial mu_of(const VectorPolynomial& b, const RationalPolynomial& alpha,
+                         const VectorPolynomial& indicatrix) {
+  const VectorPolynomial left = alpha * derivative(b) - alpha.derivative() * b;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!indicatrix[c].is_zero()) return left[c] / indicatrix[c];
+  }
+  return {};
+}
+
+}  // namespace hodograph
