@@ -28,39 +28,39 @@ const char* word_of(TubeLimit limit) {
 
 }  // namespace
 
-Answer answer_loop(Members& members) {
-  LoopRequest request;
-  request.length = members.number("length", request.length);
-  if (members.has("start")) request.start = members.point("start");
-  if (members.has("direction")) request.direction = members.point("direction");
-  if (members.has("normal")) request.normal = members.point("normal");
-  request.roll = members.number("roll", request.roll);
-  request.xi = members.maybe_number("xi");
-  request.psi = members.maybe_number("psi");
-  if (members.has("limit")) request.limit = members.word("limit", {"positive", "negative"});
-  if (members.has("for")) {
-    request.purpose = members.word("for", {loop_purposes.begin(), loop_purposes.end()});
+Answer answer_loop(Members& request) {
+  LoopRequest wanted;
+  wanted.length = request.number("length", wanted.length);
+  if (request.has("start")) wanted.start = request.point("start");
+  if (request.has("direction")) wanted.direction = request.point("direction");
+  if (request.has("normal")) wanted.normal = request.point("normal");
+  wanted.roll = request.number("roll", wanted.roll);
+  wanted.xi = request.maybe_number("xi");
+  wanted.psi = request.maybe_number("psi");
+  if (request.has("limit")) wanted.limit = request.word("limit", {"positive", "negative"});
+  if (request.has("for")) {
+    wanted.purpose = request.word("for", {loop_purposes.begin(), loop_purposes.end()});
   }
-  if (members.has("point")) request.point = members.point("point");
-  if (members.has("extents")) request.extents = members.point("extents");
-  if (members.has("within")) {
-    const auto box = members.vectors("within", 3);
+  if (request.has("point")) wanted.point = request.point("point");
+  if (request.has("extents")) wanted.extents = request.point("extents");
+  if (request.has("within")) {
+    const auto box = request.vectors("within", 3);
     if (box.size() != 2) {
-      members.refuse("within",
+      request.refuse("within",
                      "the box is given by two corners; got " + std::to_string(box.size()));
     }
-    request.within = LoopBox{{box[0][0], box[0][1], box[0][2]}, {box[1][0], box[1][1], box[1][2]}};
+    wanted.within = LoopBox{{box[0][0], box[0][1], box[0][2]}, {box[1][0], box[1][1], box[1][2]}};
   }
-  request.free_roll = members.truth("free_roll", request.free_roll);
-  request.largest_xi = members.maybe_number("largest_xi");
-  members.require_all_known();
-  if (request.point && request.purpose != "near") {
-    members.refuse("point", "a point is for a loop whose \"for\" is \"near\"");
+  wanted.free_roll = request.truth("free_roll", wanted.free_roll);
+  wanted.largest_xi = request.maybe_number("largest_xi");
+  request.require_all_known();
+  if (wanted.point && wanted.purpose != "near") {
+    request.refuse("point", "a point is for a loop whose \"for\" is \"near\"");
   }
-  if (request.extents && request.purpose != "extents") {
-    members.refuse("extents", "extents are for a loop whose \"for\" is \"extents\"");
+  if (wanted.extents && wanted.purpose != "extents") {
+    request.refuse("extents", "extents are for a loop whose \"for\" is \"extents\"");
   }
-  const MadeLoop loop = make_loop(request);
+  const MadeLoop loop = make_loop(wanted);
   const LoopFacts& facts = loop.facts;
   Answer answer;
   answer.result = {{"arc_length", loop.path.arc_length()},

@@ -116,7 +116,7 @@ class Problem {
       case LoopPurpose::near_point:
         result.value = std::sqrt(nearest(member, place[2]).second);
         // Many loops pass through the point: a little energy decides among them.
-        if (wish_.free_roll) result.value += 0x1.0p-16 * energy(member);
+        if (wish_.free_roll) result.value += energy_share * energy(member);
         break;
       case LoopPurpose::extents:
         break;
@@ -150,13 +150,13 @@ class Problem {
         }
         trace += m[i][i];
       }
-      for (std::size_t i = 0; i < 3; ++i) m[i][i] += 0x1.0p-44 * trace;
+      for (std::size_t i = 0; i < 3; ++i) m[i][i] += damping * trace;
       const double determinant = dot(m[0], cross(m[1], m[2]));
       if (!(determinant > 0.0)) break;
       const Vector y = (1.0 / determinant) * (r.x * cross(m[1], m[2]) + r.y * cross(m[2], m[0]) +
                                               r.z * cross(m[0], m[1]));
       bool better = false;
-      for (double share = 1.0; share > 0x1.0p-8 && !better; share *= 0.5) {
+      for (double share = 1.0; share > least_share && !better; share *= 0.5) {
         Place next = place;
         for (std::size_t j = 0; j < 3; ++j) next[j] -= share * dot(column[j], y);
         const double limit = std::atan(wish_.largest_xi);
@@ -187,6 +187,14 @@ class Problem {
 
  private:
   using Member = loop_detail::Member<double>;
+
+  // The energy of a loop is 40 to some hundred: less than a hundredth of the length is given away
+  // for it, and through_point takes that back.
+  static constexpr double energy_share = 0x1.0p-16;
+  // Far above the roundings of the matrix, far below what would slow Newton's steps down.
+  static constexpr double damping = 0x1.0p-44;
+  // A step that does not help after eight halvings is not downhill.
+  static constexpr double least_share = 0x1.0p-8;
   struct Extent {
     double low = 0.0, high = 0.0;
   };
@@ -335,7 +343,7 @@ class Search {
   /// Steps of the refinement end at these shares of the grid's; a smooth minimum is flat to
   /// rounding within the second.
   static constexpr int most_trials = 2000;
-  static constexpr double rough = 0x1.0p-7, close = 0x1.0p-28;
+  static constexpr double rough = 0x1.0p-7, close = 0x1.0p-28;  // 2^-28 of 0.1: half the digits
 
   /// From the middle of the range outwards, so that of equal loops the plainer one is first.
   std::vector<Found> grid() {
@@ -367,7 +375,8 @@ class Search {
   /// Less by more than the rounding of scores: ties keep the earlier one.
   static bool is_clearly_less(const Score& a, const Score& b) {
     if (a.excess != b.excess) return a.excess < b.excess;
-    return a.value < b.value * (1.0 - 0x1.0p-36);
+    constexpr double rounding = 0x1.0p-36;  // of scores that are maxima of some hundred samples
+    return a.value < b.value * (1.0 - rounding);
   }
 
   Place moved(const Place& from, const Place& by) const {
@@ -414,7 +423,8 @@ class Search {
 
   /// The same with ξ = 0 and ψ = 0 or π where that is as good.
   Found snapped(Found at) {
-    constexpr double near = 0x1.0p-12;
+    constexpr double near = 0x1.0p-12;      // where the refinement of a flat minimum ends
+    constexpr double rounding = 0x1.0p-30;  // scores as good as another
     const auto consider = [&](std::size_t j, double special) {
       double apart = std::abs(at.place[j] - special);
       if (j > 0) apart = std::min(apart, 2.0 * pi - apart);
@@ -423,7 +433,7 @@ class Search {
       place[j] = special;
       const Score score = problem_.score(place);
       if (score.excess <= at.score.excess &&
-          score.value <= at.score.value * (1.0 + 0x1.0p-30) + 0x1.0p-30) {
+          score.value <= at.score.value * (1.0 + rounding) + rounding) {
         at = {place, score};
       }
     };
@@ -559,7 +569,7 @@ Result<ChosenLoop> choose_loop(const LoopPlacement& placement, const LoopWish& w
   }
   auto path = closed_loop(shape, turned);
   if (!path) return path.fault();
-  constexpr RangeGoal goal{0x1.0p-20};
+  constexpr RangeGoal goal{0x1.0p-20};  // a millionth: what the header says
   if (wish.within) {
     const double excess = certain_excess(*path, *wish.within, goal);
     if (found.score.excess > 0.0 || excess > 0.0) {

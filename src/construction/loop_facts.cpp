@@ -7,7 +7,7 @@
 namespace hodograph {
 
 LoopFacts loop_facts(const SpatialPath<3>& path) {
-  constexpr RangeGoal goal{0x1.0p-20};
+  constexpr RangeGoal goal{0x1.0p-20};  // a millionth: what the header says
   LoopFacts facts{speed_extremes(path, goal),   curvature_extremes(path, goal),
                   torsion_extremes(path, goal), std::nullopt,
                   bounding_box(path, goal),     largest_tube_radius(path, goal)};

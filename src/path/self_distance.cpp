@@ -96,10 +96,12 @@ class Search {
  private:
   static constexpr std::uint8_t deepest = 50;
 
+  const double* row_at(std::size_t row) const { return control_.data() + 4 * row; }
   Vector point(Index row) const {
-    return {control_[4 * row], control_[4 * row + 1], control_[4 * row + 2]};
+    const double* c = row_at(row);
+    return {c[0], c[1], c[2]};
   }
-  double length_at(Index row) const { return control_[4 * row + 3]; }
+  double length_at(Index row) const { return row_at(row)[3]; }
   Index last_row(const Node& node) const { return node.rows + static_cast<Index>(rows_) - 1; }
   /// Of a coordinate: stored coefficients, and half an ulp of at most 1 in each of `degree` means a
   /// level.
@@ -267,7 +269,7 @@ class Search {
   std::array<double, 4> at(const Node& node, double t) {
     const std::size_t n = rows_;
     if (t == 0.0 || t == 1.0) {
-      const double* row = control_.data() + 4 * (t == 0.0 ? node.rows : last_row(node));
+      const double* row = row_at(t == 0.0 ? node.rows : last_row(node));
       return {row[0], row[1], row[2], row[3]};
     }
     scratch_.assign(control_.begin() + static_cast<std::ptrdiff_t>(4 * node.rows),

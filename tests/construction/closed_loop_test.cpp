@@ -280,8 +280,9 @@ TEST(ClosedLoop, HasTwoPlanarMembers) {
   EXPECT_CLOSE(eight.position(t0), eight.position(1.0 - t0), point_roundings, 1.0);
   // The oval's speed and its distance from the middle of the circle of length 1, as printed.
   const Extremes speed = speed_extremes(oval, {accuracy::join_error<double>()});
+  constexpr double printed = 1e-6;  // half a unit and the digits cut off: six are printed
   EXPECT_TRUE(speed.minimum.contains(0.9375));
-  EXPECT_NEAR(speed.maximum.middle(), 1.039541, 0.0000005);  // printed digits
+  EXPECT_NEAR(speed.maximum.middle(), 1.039541, printed);
   const double radius = 0.5 / pi;
   double least = 2.0, most = 0.0;
   for (int i = 0; i <= 4096; ++i) {
@@ -289,8 +290,8 @@ TEST(ClosedLoop, HasTwoPlanarMembers) {
     least = std::min(least, std::sqrt(dot(d, d)) / radius);
     most = std::max(most, std::sqrt(dot(d, d)) / radius);
   }
-  EXPECT_NEAR(least, 0.964917, 0.000001);
-  EXPECT_NEAR(most, 1.057495, 0.000001);
+  EXPECT_NEAR(least, 0.964917, printed);
+  EXPECT_NEAR(most, 1.057495, printed);
 }
 
 TEST(ClosedLoop, HasPlanarLimitMembersWithAStandstill) {

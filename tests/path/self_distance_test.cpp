@@ -22,9 +22,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-const RangeGoal fine{0x1.0p-20, 1 << 20};
+constexpr RangeGoal fine{0x1.0p-20, 1 << 20};  // a millionth, and as much work as it takes
 /// Where all points at the least separation are equally near, work grows like 1/relative_width.
-const RangeGoal rough{0x1.0p-10, 1 << 16};
+constexpr RangeGoal rough{0x1.0p-10, 1 << 16};
 
 /// The least of Federer's quotient |q - p|²/(2 dist(q, tangent cone at p)) over samples, and the
 /// least distance of samples at least `separation` apart: both from above.
@@ -53,7 +53,8 @@ Sampled sampled(const P& path, std::size_t count, double separation) {
       double apart = std::abs(lengths[j] - lengths[i]);
       if (path.is_closed()) apart = std::min(apart, path.arc_length() - apart);
       // Near the diagonal the quotient is one of rounding; there the curvature bounds it.
-      if (apart < 1e-3 * path.arc_length()) continue;
+      constexpr double near = 1e-3;
+      if (apart < near * path.arc_length()) continue;
       const bool behind =
           !path.is_closed() && ((i == 0 && along < 0.0) || (i == count && along > 0.0));
       const double from_cone = behind ? square : std::max(0.0, square - along * along);
@@ -117,12 +118,14 @@ TEST(SelfDistance, OfAPlanarLoop) {
   const auto eight = closed_loop({0.0, 0.0}).value();
   const TubeRadius none = largest_tube_radius(eight, fine);
   EXPECT_EQ(none.limit, TubeLimit::distance);
+  constexpr double rounding = 0x1.0p-40;  // of fifty levels of subdivision
+  constexpr double place = 0x1.0p-36;     // where the distance is below that rounding
   EXPECT_EQ(none.radius.lower(), 0.0);
-  EXPECT_LE(none.radius.upper(), 0x1.0p-40);  // the rounding of fifty levels of subdivision
+  EXPECT_LE(none.radius.upper(), rounding);
   ASSERT_TRUE(none.distance);
   const double t0 = 0.5 * (1.0 - std::sqrt((27.0 - std::sqrt(249.0)) / 30.0));
-  EXPECT_NEAR(none.distance->xi[0], t0, 0x1.0p-36);
-  EXPECT_NEAR(none.distance->xi[1], 1.0 - t0, 0x1.0p-36);
+  EXPECT_NEAR(none.distance->xi[0], t0, place);
+  EXPECT_NEAR(none.distance->xi[1], 1.0 - t0, place);
 }
 
 /// A polygon as a path of straight segments.
@@ -183,6 +186,7 @@ TEST(SelfDistance, OfAKnotOnATorusInManySegments) {
 }
 
 TEST(SelfDistance, MovesAndScalesWithThePath) {
+  constexpr double rounding = 1e-12;  // of the rotated and scaled preimage, and of the sums of it
   Random random("self-distance moved");
   const auto loop = closed_loop({1.0, 0.6 * pi}).value();
   const TubeRadius first = largest_tube_radius(loop, fine);
@@ -190,7 +194,7 @@ TEST(SelfDistance, MovesAndScalesWithThePath) {
     const double c = std::abs(random.spread(-200, 200));
     const auto other = moved(scaled(loop, c).value(), random.rotation(), random.vector3(c)).value();
     const TubeRadius tube = largest_tube_radius(other, fine);
-    EXPECT_LE(std::max(tube.radius.lower(), c * first.radius.lower()) * (1.0 - 1e-12),
+    EXPECT_LE(std::max(tube.radius.lower(), c * first.radius.lower()) * (1.0 - rounding),
               std::min(tube.radius.upper(), c * first.radius.upper()));
     EXPECT_EQ(tube.limit, first.limit);
   }

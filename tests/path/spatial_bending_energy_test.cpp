@@ -48,7 +48,8 @@ TEST(SpatialBendingEnergy, IsTheIntegral) {
     EXPECT_NEAR(*energy, enclosure->middle(), enclosure->width());
     const double judge = static_cast<double>(simpson(path.segment(0)));
     // Simpson's remainder falls with the fourth power of 1/8192: about 2^-40 for these loops.
-    EXPECT_NEAR(enclosure->middle(), judge, 0x1.0p-36 * judge);
+    constexpr double remainder = 0x1.0p-36;
+    EXPECT_NEAR(enclosure->middle(), judge, remainder * judge);
     const auto twice = bending_energy(scaled(path, 2.0).value());
     EXPECT_NEAR(2.0 * *twice, *energy, 16 * epsilon<double>() * *energy);
   }
@@ -79,7 +80,8 @@ TEST(SpatialBendingEnergy, OfAStraightPathIsZero) {
     straight[i] = (1.0 + static_cast<double>(i)) * Quaternion<double>{0.5, 0.5, 0.5, 0.5};
   const SpatialPhCurve<2> curve({}, straight, 1.0);
   EXPECT_EQ(bending_energy_enclosure(curve).value().lower(), 0.0);
-  EXPECT_LE(bending_energy_enclosure(curve).value().upper(), 0x1.0p-90);  // roundings, squared
+  constexpr double squared_rounding = 0x1.0p-90;  // of a curvature of 2^-50
+  EXPECT_LE(bending_energy_enclosure(curve).value().upper(), squared_rounding);
   EXPECT_EQ(bending_energy(curve).value(), 0.0);
 }
 

@@ -16,7 +16,13 @@
 namespace hodograph::test {
 namespace {
 
-const RangeGoal goal{0x1.0p-20};
+constexpr RangeGoal goal{0x1.0p-20};  // a millionth
+/// Wide values' own rounding, and what a search to 2^-30 of the parameter leaves of a peak's height
+/// besides the goal.
+constexpr long double wide_rounding = 0x1.0p-48L;
+constexpr double peak_error = 0x1.0p-18;  // of a search to last_step
+/// Steps of that search end here.
+constexpr double last_step = 0x1.0p-30;
 
 /// The torsion of the exact curve at u, in long double.
 template <std::size_t n>
@@ -67,7 +73,7 @@ void check(const SpatialPath<n>& path) {
         }
       };
       for (int i = 0; i <= grid; ++i) look(static_cast<double>(i) / grid);
-      for (double step = 0.5 / grid; step > 0x1.0p-30; step *= 0.5) {  // uphill to the peak
+      for (double step = 0.5 / grid; step > last_step; step *= 0.5) {  // uphill to the peak
         look(u - step);
         look(u + step);
       }
@@ -76,18 +82,18 @@ void check(const SpatialPath<n>& path) {
   }
   // The wide values carry roundings of their own, far below double's.
   const long double size = std::max(std::abs(least), std::abs(most));
-  const long double own = 0x1.0p-48L * size;
+  const long double own = wide_rounding * size;
   EXPECT_LE(found.minimum.lower(), least + own);
   EXPECT_GE(found.maximum.upper(), most - own);
   EXPECT_LE(found.minimum.lower(), found.minimum.upper());
   if (found.minimum.is_bounded()) {
     EXPECT_LE(found.minimum.width(), 4 * goal.relative_width * found.minimum.magnitude());
     EXPECT_NEAR(found.minimum.middle(), static_cast<double>(least),
-                0x1.0p-18 * static_cast<double>(size));
+                peak_error * static_cast<double>(size));
   }
   if (found.maximum.is_bounded()) {
     EXPECT_NEAR(found.maximum.middle(), static_cast<double>(most),
-                0x1.0p-18 * static_cast<double>(size));
+                peak_error * static_cast<double>(size));
   }
 }
 
@@ -97,7 +103,7 @@ TEST(TorsionExtremes, HoldOnRandomPaths) {
     check(random_path<1>(random, 2, 1.0));
     check(random_path<2>(random, 2, 1.0));
     check(random_path<3>(random, 3, 0x1.0p+100));
-    check(random_path<5>(random, 2, 0x1.0p-100));
+    check(random_path<5>(random, 2, 0x1.0p-100));  // not a tolerance: a size of preimages
     check(random_path<8>(random, 2, 1.0));
   }
 }
@@ -109,7 +115,8 @@ TEST(TorsionExtremes, HoldOnClosedLoops) {
     check(closed_loop(shape, {1.0, {}, random.rotation()}).value());
     const auto juncture = closed_loop_juncture(shape).value();
     const Extremes found = torsion_extremes(closed_loop(shape).value(), goal);
-    const double own = 0x1.0p-40 * (1.0 + std::abs(juncture.torsion_begin) + juncture.curvature);
+    constexpr double rounding = 0x1.0p-40;  // of a closed form with third powers
+    const double own = rounding * (1.0 + std::abs(juncture.torsion_begin) + juncture.curvature);
     EXPECT_LE(found.minimum.lower(), juncture.torsion_begin + own);
     EXPECT_GE(found.maximum.upper(), juncture.torsion_end - own);
   }
@@ -121,10 +128,11 @@ TEST(TorsionExtremes, AreZeroInACoordinatePlane) {
   EXPECT_EQ(torsion_extremes(oval, goal), none);
   const auto eight = closed_loop({0.0, 0.0}).value();
   EXPECT_EQ(torsion_extremes(eight, goal), none);
-  // In another plane it is zero to rounding.
+  // In another plane it is zero to rounding, over the square of the curvature.
+  constexpr double rounding = 0x1.0p-30;
   const auto turned =
       closed_loop({0.0, std::numbers::pi}, {1.0, {}, {0.5, 0.5, 0.5, -0.5}}).value();
-  EXPECT_LE(torsion_extremes(turned, goal).maximum.magnitude(), 0x1.0p-30);
+  EXPECT_LE(torsion_extremes(turned, goal).maximum.magnitude(), rounding);
 }
 
 TEST(TorsionExtremes, AreUnboundedWhereTheCurvatureMayVanish) {
