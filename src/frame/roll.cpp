@@ -36,6 +36,8 @@ std::size_t FrameRoll::locate(double xi, double& u) const {
 
 double FrameRoll::angle(std::size_t segment, double u) const {
   const Segment& s = segments_[segment];
+  if (u == 0.0) return s.begin;
+  if (u == 1.0) return s.end;
   if (s.first_piece == s.last_piece) return s.begin + u * (s.end - s.begin);
   const auto first = pieces_.begin() + static_cast<std::ptrdiff_t>(s.first_piece);
   const auto last = pieces_.begin() + static_cast<std::ptrdiff_t>(s.last_piece);
@@ -218,8 +220,6 @@ bool RollBuilder::append(SegmentRoll segment, double begin) {
       }
       theta = piece.middle + polynomial(power, 1.0);
       internal += error + 2.0 * epsilon<double>() * std::abs(theta);
-      piece.cosine = std::cos(piece.middle);
-      piece.sine = std::sin(piece.middle);
       largest_angle_ = std::max(largest_angle_, std::abs(theta));
       roll_.pieces_.push_back(piece);
       return true;

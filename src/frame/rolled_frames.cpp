@@ -19,7 +19,26 @@ static_assert(frame_detail::rolled_degree == FrameRoll::piece_degree);
 
 namespace {
 constexpr std::size_t most_degree = maximum_dynamic_degree;
+
+/// How many of the first numbers lie in [low, high), or in [low, high] where closed.
+std::size_t run_inside(std::span<const double> x, double low, double high, bool closed) {
+  const auto inside = [&](double at) {
+    return static_cast<unsigned>(low <= at) &
+           (closed ? static_cast<unsigned>(at <= high) : static_cast<unsigned>(at < high));
+  };
+  // Without a branch for each number where all of a block are inside.
+  constexpr std::size_t block = 16;
+  std::size_t count = 0;
+  for (; count + block <= x.size(); count += block) {
+    unsigned all = 1;
+    for (std::size_t j = 0; j < block; ++j) all &= inside(x[count + j]);
+    if (all == 0) break;
+  }
+  while (count < x.size() && inside(x[count]) != 0) ++count;
+  return count;
 }
+
+}  // namespace
 
 namespace frame_detail {
 
@@ -59,8 +78,8 @@ void RolledFrames::add_piece(const std::vector<Quaternion<double>>& preimage, do
   piece.xi = knot + step * (0.5 * (u_begin + u_end));
   piece.scale = 2.0 / (step * (u_end - u_begin));
   if (from != nullptr) {
-    piece.cosine = from->cosine;
-    piece.sine = from->sine;
+    piece.cosine = std::cos(from->middle);
+    piece.sine = std::sin(from->middle);
     std::copy(from->coefficient.begin(), from->coefficient.end(), piece.roll);
   }
   pieces_.push_back(piece);
@@ -145,8 +164,9 @@ void RolledFrames::at(std::span<const double> xi, std::span<Frame3<double>> fram
                       std::nullopt, "frames", static_cast<double>(frames.size()),
                       static_cast<double>(xi.size())});
   }
-  for (std::size_t i = 0; i < xi.size(); ++i) {
-    if (starts_.front() <= xi[i] && xi[i] <= starts_.back()) continue;
+  if (run_inside(xi, starts_.front(), starts_.back(), true) < xi.size()) {
+    std::size_t i = 0;
+    while (starts_.front() <= xi[i] && xi[i] <= starts_.back()) ++i;
     throw Error(Fault{FaultCode::outside_domain,
                       "path parameter xi " + to_text(xi[i]) + " is outside [" +
                           to_text(starts_.front()) + ", " + to_text(starts_.back()) + "]",
@@ -156,9 +176,8 @@ void RolledFrames::at(std::span<const double> xi, std::span<Frame3<double>> fram
   const auto kernel = frame_detail::rolled_kernel();
   for (std::size_t i = 0; i < xi.size();) {
     const std::size_t k = index_.find(starts_, xi[i]);
-    const double low = starts_[k], high = starts_[k + 1];
-    std::size_t end = i + 1;
-    while (end < xi.size() && low <= xi[end] && xi[end] < high) ++end;
+    const std::size_t end =
+        i + 1 + run_inside(xi.subspan(i + 1), starts_[k], starts_[k + 1], false);
     if (!kernel(pieces_[k], degree_, &preimages_[4 * (degree_ + 1) * k], &xi[i], end - i,
                 &frames[i].e1.x)) {
       throw Error(

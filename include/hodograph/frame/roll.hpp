@@ -105,7 +105,7 @@ class FrameRoll {
   /// π/4.
   struct Piece {
     double begin = 0.0, center = 0.5, scale = 2.0;
-    double middle = 0.0, cosine = 1.0, sine = 0.0;  ///< of middle
+    double middle = 0.0;
     std::array<double, piece_degree> coefficient{};
   };
   /// The pieces of a segment; none where θ is linear.
