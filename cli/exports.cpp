@@ -15,8 +15,8 @@ namespace hodograph::cli {
 
 struct ExportFlags::Given {
   std::vector<Option> options;
-  enum Index : std::size_t { chord, altitude, speed, acceleration, lateral, tolerance };
-  bool operator()(Index index) const { return options[index].given(); }
+  enum class Index : std::size_t { chord, altitude, speed, acceleration, lateral, tolerance };
+  bool operator()(Index index) const { return options[static_cast<std::size_t>(index)].given(); }
 };
 
 namespace {
@@ -162,7 +162,7 @@ void ExportFlags::add_to(Command& command, const std::string& chord_default) {
 }
 
 double ExportFlags::near(double default_chord) const {
-  return (*given_)(Given::chord) ? chord : default_chord;
+  return (*given_)(Given::Index::chord) ? chord : default_chord;
 }
 
 bool ExportFlags::any() const {
@@ -173,10 +173,10 @@ bool ExportFlags::any() const {
 Flight ExportFlags::flight() const {
   const Given& given = *given_;
   Flight flight;
-  if (given(Given::speed)) flight.speed = speed;
-  if (given(Given::acceleration)) flight.acceleration = acceleration;
-  if (given(Given::lateral)) flight.lateral_acceleration = lateral;
-  if (given(Given::altitude)) flight.altitude = altitude;
+  if (given(Given::Index::speed)) flight.speed = speed;
+  if (given(Given::Index::acceleration)) flight.acceleration = acceleration;
+  if (given(Given::Index::lateral)) flight.lateral_acceleration = lateral;
+  if (given(Given::Index::altitude)) flight.altitude = altitude;
   return flight;
 }
 
@@ -189,12 +189,12 @@ void ExportFlags::check() const {
   }
   if (!datum.empty()) datum_of(datum);
   const Given& given = *given_;
-  if (given(Given::chord) && !(chord > 0.0 && std::isfinite(chord))) {
+  if (given(Given::Index::chord) && !(chord > 0.0 && std::isfinite(chord))) {
     throw Error(Fault{FaultCode::outside_domain,
                       "the distance of the chords is " + to_text(chord) + "; it should be positive",
                       std::nullopt, "chord", chord, 0.0});
   }
-  if (given(Given::tolerance) && crazyswarm.empty()) {
+  if (given(Given::Index::tolerance) && crazyswarm.empty()) {
     refuse("the tolerance is that of --crazyswarm; name its file, too", "tolerance");
   }
 }
@@ -228,7 +228,7 @@ std::string ExportFlags::write(const PathDocument& document, GeoJsonScene scene,
   if (!crazyswarm.empty()) {
     constexpr double share = 1e-6;  // not a tolerance: the default, of the length
     const double tolerance =
-        given(Given::tolerance) ? polynomial_tolerance : share * motion.length();
+        given(Given::Index::tolerance) ? polynomial_tolerance : share * motion.length();
     const PolynomialFlight polynomials =
         polynomial_flight(document.path, motion, motion.start_time(), tolerance).value();
     add(crazyswarm, crazyswarm_csv(polynomials),

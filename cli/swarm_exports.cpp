@@ -159,8 +159,9 @@ std::string SwarmExportFlags::write(const SwarmFacts& facts) const {
     for (const std::string& folder : {qgroundcontrol, waypoints}) {
       if (folder.empty()) continue;
       make_folder(folder);
-      written += "wrote " + std::to_string(facts.vehicles.size()) + " missions to " + folder +
-                 ": lines between waypoints " + near + "\n";
+      written.append("wrote ").append(std::to_string(facts.vehicles.size()));
+      written.append(" missions to ").append(folder);
+      written.append(": lines between waypoints ").append(near).append("\n");
     }
   }
   write_all(files);

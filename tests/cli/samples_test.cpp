@@ -81,8 +81,9 @@ TEST(Samples, AreSwarmsThatKeepTheirDistances) {
   }
   // S 12.5 % above the distance, and 1 % of S.
   const Json six = Json::parse(program.run({"swarm", sample("six.json"), "--json"}).out);
+  constexpr double last_digit = 1e-4;  // of the coordinates given, hence of their distances
   for (const Json& vehicle : six["vehicles"]) {
-    EXPECT_NEAR(vehicle["length"].get<double>(), 1.125, 1e-4);  // not a tolerance: 4 decimals given
+    EXPECT_NEAR(vehicle["length"].get<double>(), 1.125, 2.0 * last_digit);
   }
   EXPECT_GE(six["closest"][0]["distance"]["lower"].get<double>(), 0.01125);
 }

@@ -20,7 +20,7 @@ GeoJsonScene sample() {
   GeoJsonScene scene;
   scene.world =
       World::create({{{{0, 0}, {0, 4.1}, {4, 4}, {4, 0}}, {{{1, 1}, {2, 1}, {1, 2}}}, "y\"d"},
-                     {{{9, 9}, {10, 9}, {1e-3, 1e3}}, {}, ""}},
+                     {{{9, 9}, {10, 9}, {0.0625, 1e3}}, {}, ""}},
                     Ring{{-50, -50}, {50, -50}, {50, 2e3}, {-50, 2e3}})
           .value();
   scene.start = Vector2<double>{-1, -2};

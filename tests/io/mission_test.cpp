@@ -76,7 +76,7 @@ TEST(Geodesy, TakesMetresToDegreesAndBack) {
   const auto plane = LocalTangentPlane::create(zurich);
   EXPECT_EQ(plane->datum(), zurich);
   const auto origin = plane->to_geodetic({0, 0, 0});
-  EXPECT_NEAR(origin->latitude, zurich.latitude, 360 * 0x1p-52);
+  EXPECT_NEAR(origin->latitude, zurich.latitude, 360 * std::numeric_limits<double>::epsilon());
   EXPECT_NEAR(origin->altitude, zurich.altitude, conversion_error);
 }
 
@@ -122,12 +122,13 @@ TEST(Geodesy, RefusesWhatIsNoPlace) {
 
 /// A mission without the conversion, for the formats.
 Mission sample() {
+  constexpr double tiny = 1e-7;  // not a tolerance: its shortest decimal has an exponent
   Mission mission;
   mission.home = zurich;
   mission.acceptance_radius = 2.5;
   mission.waypoints = {{47.3977, 8.5456, 20.0, 4.0},
                        {47.39775, 8.54561, 20.125, 4.0},
-                       {47.39785, -8.5e-7, 1e-7, std::nullopt},
+                       {47.39785, -tiny, tiny, std::nullopt},
                        {-47.0, 8.0, -3.0, 6.5}};
   return mission;
 }
