@@ -49,8 +49,8 @@ int main() {
   const auto loop = closed_loop({0.5, 2.0}, {10.0, {}, {1, 0, 0, 0}}).value();
   const auto open = SpatialPath<3>::create({0.0, 1.0}, {loop.segment(0)}, false).value();
   const double radius = 0.2;
-  // The tolerance whose mesh has a million triangles.
-  double tolerance = 1e-3;
+  constexpr double first_guess = 1e-3;  // of the tolerance whose mesh has a million triangles
+  double tolerance = first_guess;
   const auto tube = [&](const SpatialPath<3>& path) {
     return Sweep{Motion::along(path).value(), Profile::circle(radius).value()};
   };

@@ -368,9 +368,9 @@ AnyPath in_space(const AnyPath& path) {
   return AnyPath::create(space).value();  // the same numbers
 }
 
-Result<Motion> Motion::polynomial(DynamicPolynomial<Vector3<double>> position,
+Result<Motion> Motion::polynomial(const DynamicPolynomial<Vector3<double>>& position,
                                   DynamicPolynomial<Quaternion<double>> rotation,
-                                  DynamicPolynomial<double> scale) {
+                                  const DynamicPolynomial<double>& scale) {
   for (const auto& c : position.coefficients()) {
     if (!is_finite(c)) {
       return Fault{FaultCode::not_finite, "a coefficient of the position is not finite",

@@ -321,11 +321,9 @@ class Mesher {
   void add_column(const Profile::Jet& p, const std::optional<Vector3<double>>& incoming) {
     const auto position = static_cast<Index>(positions_.size());
     if (incoming && angle_between(*incoming, p.derivative) > crease_angle) {
-      if (positions_.empty()) {
-        wrapping_ = Column{position, p.position, *incoming};
-      } else {
-        columns_.push_back({position, p.position, *incoming});
-      }
+      const Column side{position, p.position, *incoming};
+      if (positions_.empty()) wrapping_ = side;
+      if (!positions_.empty()) columns_.push_back(side);
     }
     positions_.push_back(p.position);
     columns_.push_back({position, p.position, p.derivative});

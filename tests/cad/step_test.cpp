@@ -27,6 +27,9 @@ namespace hodograph {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+// OpenCASCADE integrates over faces by Gauss' rule of an order that the degree tells: exact to
+// about six digits for the rational surfaces here, five where a face is long.
+constexpr double integration = 0x1p-20, integration_of_long_faces = 0x1p-16;
 
 TopoDS_Shape read_back(const std::string& text) {
   const auto file = std::filesystem::path(::testing::TempDir()) / "hodograph_step_test.step";
@@ -103,8 +106,8 @@ TEST(Step, TorusIsASolidOfItsVolume) {
   EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
   // Pappus: the disc's area times the length of the path through its centre; so for the area.
   const double length = path.arc_length();
-  EXPECT_LE(std::abs(volume_of(shape) / (pi * 25.0 * length) - 1.0), 0x1p-20);
-  EXPECT_LE(std::abs(area_of(shape) / (2 * pi * 5.0 * length) - 1.0), 0x1p-20);
+  EXPECT_LE(std::abs(volume_of(shape) / (pi * 25.0 * length) - 1.0), integration);
+  EXPECT_LE(std::abs(area_of(shape) / (2 * pi * 5.0 * length) - 1.0), integration);
   expect_our_patches(shape, rational_patches(torus).value(), 25.0);
 }
 
@@ -116,7 +119,8 @@ TEST(Step, LoopsWithHolonomyClose) {
   EXPECT_EQ(model.degree_along, 15u);
   const TopoDS_Shape shape = read_back(model.text);
   EXPECT_TRUE(BRepCheck_Analyzer(shape).IsValid());
-  EXPECT_LE(std::abs(volume_of(shape) / (pi * 0.6 * loop.arc_length()) - 1.0), 0x1p-16);
+  EXPECT_LE(std::abs(volume_of(shape) / (pi * 0.6 * loop.arc_length()) - 1.0),
+            integration_of_long_faces);
 }
 
 TEST(Step, OpenSweepsGetPlaneEnds) {
@@ -140,7 +144,7 @@ TEST(Step, UnitsAreNamedAndNumbersStay) {
   EXPECT_NE(model.text.find("SI_UNIT($,.METRE.)"), std::string::npos);
   // Read into millimetres a metre is a thousand.
   const TopoDS_Shape shape = read_back(model.text);
-  EXPECT_LE(std::abs(volume_of(shape) / (1e9 * pi * 0.25 * path.arc_length()) - 1.0), 0x1p-20);
+  EXPECT_LE(std::abs(volume_of(shape) / (1e9 * pi * 0.25 * path.arc_length()) - 1.0), integration);
 }
 
 TEST(Step, RibbonsAreShells) {

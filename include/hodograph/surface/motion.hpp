@@ -85,9 +85,9 @@ class Motion {
   /// Any polynomial motion with positive scale, of one piece over [0, 1]: the carrier of a tubular
   /// family S(t, u) = ρ(u) R(u) r(t) + c(u), R the rotation of Q(u).
   /// Faults: outside_domain (a scale that is not positive), zero_speed (Q vanishes), not_finite.
-  static Result<Motion> polynomial(DynamicPolynomial<Vector3<double>> position,
+  static Result<Motion> polynomial(const DynamicPolynomial<Vector3<double>>& position,
                                    DynamicPolynomial<Quaternion<double>> rotation,
-                                   DynamicPolynomial<double> scale);
+                                   const DynamicPolynomial<double>& scale);
 
   const std::vector<MotionPiece>& pieces() const { return pieces_; }
   bool is_closed() const { return closed_; }
@@ -100,15 +100,16 @@ class Motion {
   /// Smallest scale, a lower bound, positive.
   double least_scale() const { return least_scale_; }
 
-  MotionState at(std::size_t piece, double v) const;
-  MotionBounds bounds(std::size_t piece, double a, double b) const;
+  /// The state at v, and bounds over [a, b], of piece k. Domain: 0 ≤ v ≤ 1, 0 ≤ a < b ≤ 1.
+  MotionState at(std::size_t k, double v) const;
+  MotionBounds bounds(std::size_t k, double a, double b) const;
 
  private:
   Motion() = default;
   std::optional<Fault> set_scale(const std::vector<double>& scale);
   std::optional<Fault> check_frames() const;
-  double roll_angle(std::size_t piece, double v) const;
-  double roll_rate(std::size_t piece, double v) const;
+  double roll_angle(std::size_t k, double v) const;
+  double roll_rate(std::size_t k, double v) const;
 
   std::vector<MotionPiece> pieces_;
   std::shared_ptr<const FrameRoll> roll_;
