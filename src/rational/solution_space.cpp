@@ -10,6 +10,7 @@
 #include "flint.hpp"
 #include "hermite_reduction.hpp"
 #include "hodograph/rational/motion_polynomial.hpp"
+#include "input_faults.hpp"
 
 namespace hodograph {
 
@@ -80,16 +81,6 @@ RationalPolynomial antiderivative(const HermiteReduction& reduction, const Ratio
   return parts.rational + reduction.alpha() * (p / reduction.denominator()).integral();
 }
 
-Fault degree_fault(const char* what, std::size_t degree, std::size_t bound) {
-  return {FaultCode::unsupported,
-          std::string(what) + " has degree " + std::to_string(degree) + "; at most " +
-              std::to_string(bound) + " is offered",
-          std::nullopt,
-          what,
-          static_cast<double>(degree),
-          static_cast<double>(bound)};
-}
-
 }  // namespace
 
 std::string_view name_of(CurveKind kind) {
@@ -113,26 +104,14 @@ CurveKind kind_of(const VectorPolynomial& b, const RationalPolynomial& alpha) {
 
 Result<SolutionSpace> solve(const QuaternionPolynomial& a, const RationalPolynomial& alpha,
                             std::size_t degree) {
-  if (alpha.is_zero()) {
-    return Fault{FaultCode::outside_domain,
-                 "the denominator alpha is 0; right would be any polynomial other than 0",
-                 std::nullopt, "alpha", 0.0};
-  }
-  if (const int n = hodograph::degree(a); n > static_cast<int>(largest_input_degree)) {
-    return degree_fault("A", static_cast<std::size_t>(n), largest_input_degree);
-  }
-  if (degree_of(alpha) > largest_input_degree) {
-    return degree_fault("alpha", degree_of(alpha), largest_input_degree);
-  }
+  if (auto fault = rational_detail::input_fault(a, alpha)) return *fault;
   if (degree > largest_solution_degree) {
-    return degree_fault("B", degree, largest_solution_degree);
+    return rational_detail::degree_fault("B", degree, largest_solution_degree);
   }
-  auto reduced = reduction(a);
-  if (!reduced) return reduced.fault();
 
   const HermiteReduction hermite(alpha);
   SolutionSpace space;
-  space.reduction_ = *std::move(reduced);
+  space.reduction_ = *reduction(a);
   space.alpha_ = alpha;
   space.radical_ = hermite.radical();
   space.indicatrix_ = indicatrix(space.reduction_.reduced);
