@@ -33,7 +33,7 @@ class RolledFrames {
 
  private:
   void add_piece(const std::vector<Quaternion<double>>& preimage, double u_begin, double u_end,
-                 double knot, double step, const FrameRoll::Piece* piece);
+                 double knot, double step, const FrameRoll::Piece* from);
 
   std::size_t degree_ = 0;
   std::vector<double> starts_;  ///< ξ where pieces begin, and the last knot
