@@ -140,13 +140,18 @@ std::unique_ptr<Command> plan_command(CLI::App& program) {
   flags->output.add_to(*command, "the path document (default plan.json; '-': standard output)",
                        "an HTML report with pictures");
   flags->exports.add_to(*command, "1 % of the turn radius");
-  command->examples(
-      {"hodograph plan harbour.geojson --turn-radius 3 --clearance 1 --report plan.html",
-       "hodograph plan harbour.geojson --start 0,0 --goal 60,40 --turn-radius 3 --corners gentlest",
-       "hodograph plan harbour.geojson --turn-radius 3 --compare --report plan.html",
-       "hodograph plan harbour.geojson --turn-radius 3 --clearance 1 --qgroundcontrol harbour.plan "
-       "--datum 47.4,8.5,400 --altitude 30 --speed 5",
-       "hodograph check plan.json harbour.geojson"});
+  std::vector<std::string> examples = {
+      "hodograph plan harbour.geojson --turn-radius 3 --clearance 1 --report plan.html",
+      "hodograph plan harbour.geojson --start 0,0 --goal 60,40 --turn-radius 3 --corners gentlest",
+      "hodograph plan harbour.geojson --turn-radius 3 --compare --report plan.html",
+      "hodograph plan harbour.geojson --turn-radius 3 --geojson plan.geojson --csv plan.csv",
+      "hodograph check plan.json harbour.geojson"};
+  if (has_geodesy()) {
+    examples.emplace_back(
+        "hodograph plan harbour.geojson --turn-radius 3 --qgroundcontrol harbour.plan "
+        "--datum 47.4,8.5,400 --altitude 30 --speed 5");
+  }
+  command->examples(examples);
   command->note(
       "The turn radius and the clearance hold for every point of the path, not for samples, and\n"
       "hodograph check proves them again from the two files.");

@@ -17,6 +17,7 @@
 #include "cli/swarms.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
+#include "hodograph/io/geodesy.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -261,12 +262,16 @@ std::unique_ptr<Command> swarm_command(CLI::App& program) {
   command->option("--closest", flags->closest, "N", "how many pairs are listed (default 10)")
       .whole_number(0, 1000000);
   command->flag("--json", flags->as_json, "the answer as JSON");
-  command->examples(
-      {"hodograph swarm swarm.json -o fleet --svg swarm.svg --animation swarm.html",
-       "hodograph swarm swarm.json --clearance 0.03 --deconflict --matrix separations.csv",
-       "hodograph swarm swarm.json --least separated --crazyswarm trajectories",
-       "hodograph swarm swarm.json --qgroundcontrol missions --datum 47.4,8.5,400",
-       "hodograph swarm fleet/swarm.json --clearance 0.01 --json"});
+  std::vector<std::string> examples = {
+      "hodograph swarm swarm.json -o fleet --svg swarm.svg --animation swarm.html",
+      "hodograph swarm swarm.json --clearance 0.03 --deconflict --matrix separations.csv",
+      "hodograph swarm swarm.json --least separated --crazyswarm trajectories",
+      "hodograph swarm fleet/swarm.json --clearance 0.01 --json"};
+  if (has_geodesy()) {
+    examples.emplace_back(
+        "hodograph swarm swarm.json --qgroundcontrol missions --datum 47.4,8.5,400");
+  }
+  command->examples(examples);
   command->note("All distances hold for every instant, rounding included; they are not samples.");
   command->run([=] {
     const auto replace = [&](const Option& option, const char* name, const Json& value) {
