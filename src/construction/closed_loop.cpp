@@ -105,8 +105,19 @@ Result<SpatialPath<3>> closed_loop(const LoopShape& shape, const LoopPlacement& 
       loop_detail::canonical_preimage(member_of(shape)).mapped([&](const Quaternion<double>& a) {
         return turn * a;
       });
-  return SpatialPath<3>::create({0.0, 1.0}, {SpatialPhCurve<3>(placement.start, preimage, 1.0)},
-                                true);
+  const SpatialPhCurve<3> curve(placement.start, preimage, 1.0);
+  for (const auto& c : curve.integral().coefficients()) {
+    if (!is_finite(placement.start + c.displacement)) {
+      return Fault{FaultCode::not_finite,
+                   "a loop of length " + to_text(placement.length) +
+                       " from there exceeds the range of numbers",
+                   std::nullopt,
+                   "length",
+                   placement.length,
+                   std::nullopt};
+    }
+  }
+  return SpatialPath<3>::create({0.0, 1.0}, {curve}, true);
 }
 
 Result<std::array<Vector3<double>, 8>> closed_loop_control_points(const LoopShape& shape) {

@@ -221,13 +221,41 @@ class Search {
   void consider(Index a, Index b, double at_least) {
     if (most_apart(nodes_[a], nodes_[b]) < separation_ - slack_) return;
     ++evaluations_;
-    const double lower = a == b ? at_least : std::max(at_least, bound(nodes_[a], nodes_[b]));
+    double lower = at_least;
+    if (a != b) lower = std::max(lower, bound(nodes_[a], nodes_[b]));
+    if (lower < most_) lower = std::max(lower, cone_bound(nodes_[a], nodes_[b]));
     if (lower >= most_) {
       excluded_ = std::min(excluded_, lower);
       return;
     }
     open_.push_back({lower, a, b});
     std::push_heap(open_.begin(), open_.end());
+  }
+
+  /// Where a and b are one piece or meet, and every difference of their control points is within an
+  /// angle φ < π/2 of one direction, so is the hodograph, and a chord is at least cos φ times the
+  /// arc length that it spans.
+  double cone_bound(const Node& a, const Node& b) const {
+    if (a.is_group || b.is_group || a.end != b.begin) {
+      if (&a != &b || a.is_group) return 0.0;
+    }
+    const Vector along = point(last_row(b)) - point(a.rows);
+    const double size = std::sqrt(dot(along, along));
+    // A difference much larger than its error keeps its direction within the ratio of the two.
+    constexpr double clear = 1024.0;
+    const double error = 4.0 * (error_of(a) + error_of(b));
+    double cosine = size > clear * error ? 1.0 : 0.0;
+    const auto narrow = [&](const Node& node) {
+      for (Index i = 0; i + 1 < rows_ && cosine > 0.0; ++i) {
+        const Vector d = point(node.rows + i + 1) - point(node.rows + i);
+        const double length = std::sqrt(dot(d, d));
+        const double share = length > clear * error ? dot(d, along) / (length * size) : 0.0;
+        cosine = std::min(cosine, share - 4.0 * (error / size + error / std::max(length, error)));
+      }
+    };
+    narrow(a);
+    if (&a != &b) narrow(b);
+    return cosine > 0.0 ? shortened(cosine * (separation_ - slack_)) : 0.0;
   }
 
   double bound(const Node& a, const Node& b) {

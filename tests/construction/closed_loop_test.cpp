@@ -353,6 +353,24 @@ TEST(ClosedLoop, RunsInWiderScalars) {
   }
 }
 
+TEST(ClosedLoop, IsFiniteOrRefusedForHostileNumbers) {
+  Random random("hostile loops");
+  for (int i = 0; i < 20000; ++i) {
+    const LoopShape shape{random.hostile(),
+                          random.chance(0.5) ? random.uniform(-pi, pi) : random.hostile()};
+    const LoopPlacement placement{random.hostile(),
+                                  {random.hostile(), random.hostile(), random.hostile()},
+                                  random.rotation()};
+    const auto path = closed_loop(shape, placement);
+    if (!path) {
+      EXPECT_FALSE(path.fault().sentence.empty());
+      continue;
+    }
+    for (const double t : {0.0, 0.3, 0.5, 1.0}) EXPECT_TRUE(is_finite(path->position(t)));
+    EXPECT_TRUE(std::isfinite(path->arc_length()));
+  }
+}
+
 TEST(ClosedLoop, RefusesWhatIsNoLoop) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto code = [](const LoopShape& shape, const LoopPlacement& placement) {
@@ -374,6 +392,9 @@ TEST(ClosedLoop, RefusesWhatIsNoLoop) {
   EXPECT_EQ(code({}, {1.0, {}, {}}), FaultCode::outside_domain);
   EXPECT_EQ(code({}, {1.0, {}, {nan, 0.0, 0.0, 0.0}}), FaultCode::not_finite);
   EXPECT_EQ(code({}, {1.0, {}, {1.1, 0.0, 0.0, 0.0}}), FaultCode::outside_domain);
+  constexpr double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(code({}, {most, {}, one}), FaultCode::not_finite);
+  EXPECT_EQ(code({}, {most / 2, {most, 0.0, 0.0}, one}), FaultCode::not_finite);
   EXPECT_FALSE(closed_loop_control_points({nan, 0.0}));
   EXPECT_FALSE(closed_loop_juncture({0.0, 4.0}));
   EXPECT_EQ(closed_loop({0.0, 3.2}).fault().sentence,
