@@ -102,25 +102,29 @@ int Rational::sign() const { return fmpq_sgn(raw(*this)); }
 bool Rational::is_integer() const { return fmpz_is_one(&raw(*this)->den) != 0; }
 
 double Rational::to_double() const {
-  // The integer ⌊|x| 2^shift⌋ of 64 bits or one more holds the leading bits of the quotient.
   if (is_zero()) return 0.0;
+  // The quotient |x| 2^shift, of 63 or 64 bits; its last bit is set where something follows, so
+  // that the conversion rounds |x| itself.
   const auto top = static_cast<slong>(fmpz_bits(&raw(*this)->num));
   const auto bottom = static_cast<slong>(fmpz_bits(&raw(*this)->den));
-  const slong shift = 64 - (top - bottom);
-  fmpz_t n, d;
+  const slong shift = 63 - (top - bottom);
+  fmpz_t n, d, rest;
   fmpz_init(n);
   fmpz_init(d);
+  fmpz_init(rest);
   fmpz_abs(n, &raw(*this)->num);
   fmpz_set(d, &raw(*this)->den);
   if (shift > 0) fmpz_mul_2exp(n, n, static_cast<ulong>(shift));
   if (shift < 0) fmpz_mul_2exp(d, d, static_cast<ulong>(-shift));
-  fmpz_tdiv_q(n, n, d);
-  slong exponent = 0;
-  const double fraction = fmpz_get_d_2exp(&exponent, n);
+  fmpz_fdiv_qr(n, rest, n, d);
+  ulong quotient = fmpz_get_ui(n);
+  if (!fmpz_is_zero(rest)) quotient |= 1;
   fmpz_clear(n);
   fmpz_clear(d);
-  const slong scale = std::clamp<slong>(exponent - shift, -4096, 4096);
-  const double size = std::ldexp(fraction, static_cast<int>(scale));
+  fmpz_clear(rest);
+  constexpr slong beyond = 4096;  // far above and below every exponent of a double
+  const auto scale = static_cast<int>(std::clamp<slong>(-shift, -beyond, beyond));
+  const double size = std::ldexp(static_cast<double>(quotient), scale);
   return sign() < 0 ? -size : size;
 }
 

@@ -45,8 +45,8 @@ class Rational {
   int sign() const;
   bool is_zero() const { return sign() == 0; }
   bool is_integer() const;
-  /// A double within one unit in the last place; infinite, or 0, where the number is outside the
-  /// range of doubles.
+  /// The nearest double (within one unit in the last place among subnormal numbers); infinite, or
+  /// 0, where the number is outside the range of doubles.
   double to_double() const;
   /// Bits of the numerator and of the denominator, the larger of the two.
   std::size_t bits() const;
