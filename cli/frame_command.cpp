@@ -95,7 +95,9 @@ void run(const FrameFlags& flags) {
   for (const auto& row : rows) width = std::max(width, row.first.size());
   std::string text;
   for (const auto& [name, value] : rows) {
-    text += name + std::string(width + 2 - name.size(), ' ') + value + "\n";
+    text += name;
+    text.append(width + 2 - name.size(), ' ');
+    text += value + "\n";
   }
   if (flags.output != "-") text += "wrote " + flags.output + "\n";
   if (!flags.report.empty() && flags.report != "-") text += "wrote " + flags.report + "\n";
