@@ -26,7 +26,10 @@ std::string table_of(const std::vector<std::pair<std::string, std::string>>& row
   for (const auto& [name, text] : rows) widest = std::max(widest, name.size());
   std::string table;
   for (const auto& [name, text] : rows) {
-    table += name + std::string(widest + 2 - name.size(), ' ') + text + "\n";
+    table += name;
+    table.append(widest + 2 - name.size(), ' ');
+    table += text;
+    table += '\n';
   }
   return table;
 }

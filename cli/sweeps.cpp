@@ -98,7 +98,7 @@ std::string suffix_of(const std::string& file) {
 }
 
 std::string format_of(const std::string& file, const std::string& format) {
-  const std::string word = format.empty() ? suffix_of(file) : format;
+  std::string word = format.empty() ? suffix_of(file) : format;
   for (const char* known : {"stl", "obj", "glb", "step"}) {
     if (word == known) return word;
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -232,6 +233,15 @@ std::optional<Fault> save_mesh(const TriangleMesh& mesh, MeshFormat format, cons
                  std::nullopt,
                  "triangles",
                  static_cast<double>(mesh.triangles.size()),
+                 std::nullopt};
+  }
+  if (std::isinf(rounding_of(mesh, format))) {
+    return Fault{FaultCode::outside_domain,
+                 "a coordinate of the mesh is beyond the range of single precision; write obj, or "
+                 "take a larger unit of length",
+                 std::nullopt,
+                 "positions",
+                 std::nullopt,
                  std::nullopt};
   }
   auto file = OutputFile::create(path);

@@ -306,7 +306,7 @@ Result<Motion> Motion::along(const AnyPath& path, const FrameRoll& roll,
     const double xi = roll.inflections().front().xi;
     return Fault{FaultCode::not_continuous,
                  "the Frenet frame turns over at the inflection xi = " + to_text(xi) +
-                     "; choose a frame that does not (rotation-minimising, euler-rodrigues)",
+                     "; choose a frame that does not (rotation-minimising, erf)",
                  std::nullopt,
                  "roll",
                  xi,

@@ -57,7 +57,7 @@ std::optional<Fault> for_each_exact_piece(const Motion& motion, const Visit& vis
   if (motion.roll() != nullptr) {
     return Fault{FaultCode::unsupported,
                  "the frame's roll is not rational, and so is the surface; a rational one needs "
-                 "the frame euler-rodrigues, closing, or periodic",
+                 "the frame erf, closing, or periodic",
                  std::nullopt,
                  "frame",
                  std::nullopt,

@@ -144,12 +144,16 @@ double mesh_volume(const TriangleMesh& mesh) {
 }
 
 double single_precision_error(const TriangleMesh& mesh, const Vector3<double>& origin) {
-  // Each coordinate is rounded to within half an ulp, 2^-24 of itself; three of them.
-  constexpr double half_ulp = 0x1.0p-24;
+  // Each coordinate is rounded to within half an ulp, 2^-24 of itself, or half of the smallest
+  // number; three of them.
+  constexpr double half_ulp = 0x1.0p-24, half_smallest = 0x1.0p-150;
   constexpr double root_three_up = 1.7320508075688774;
   double far = 0.0;
   for (const auto& p : mesh.positions) far = std::max(far, largest_component(p - origin));
-  return root_three_up * half_ulp * far;
+  if (far > static_cast<double>(std::numeric_limits<float>::max())) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return root_three_up * std::max(half_ulp * far, half_smallest);
 }
 
 }  // namespace hodograph

@@ -123,6 +123,16 @@ TEST(MeshFile, SuffixesTellTheFormat) {
   EXPECT_EQ(fault->code, FaultCode::not_written);
 }
 
+TEST(MeshFile, RefusesWhatSinglePrecisionDoesNotHold) {
+  TriangleMesh mesh = example(true).mesh;
+  for (auto& p : mesh.positions) p = 1e40 * p;
+  for (const MeshFormat format : {MeshFormat::stl, MeshFormat::glb}) {
+    const auto fault = save_mesh(mesh, format, "", "/no/such/folder/a");
+    ASSERT_TRUE(fault);
+    EXPECT_EQ(fault->code, FaultCode::outside_domain);
+  }
+}
+
 #if HODOGRAPH_TEST_HAS_ASSIMP
 class ReadByAssimp : public ::testing::TestWithParam<std::tuple<MeshFormat, bool, bool>> {};
 

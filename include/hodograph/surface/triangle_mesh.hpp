@@ -55,7 +55,7 @@ double mesh_area(const TriangleMesh& mesh);
 double mesh_volume(const TriangleMesh& mesh);
 
 /// How far positions move, at most, when their coordinates relative to `origin` are written in
-/// single precision.
+/// single precision; infinite where one is too large for it.
 double single_precision_error(const TriangleMesh& mesh, const Vector3<double>& origin = {});
 
 /// The middle of the box of all positions; the origin for none.
