@@ -36,7 +36,7 @@ TEST(ClimbCommand, KeepsTheLimitsAndIsProvenAgain) {
   EXPECT_LE(promises["curvature_bound"].get<double>(), 1.0 / 60.0);
   const double up = std::sin(8.0 * std::acos(-1.0) / 180.0);
   const double down = -std::sin(12.0 * std::acos(-1.0) / 180.0);
-  constexpr double rounding = 0x1.0p-48;
+  constexpr double rounding = 0x1.0p-48;  // of enclosures of a number below 1
   for (const Json& row : promises["helix"]["sines"]) {
     EXPECT_LE(row[2].get<double>(), up + rounding);
     EXPECT_GE(row[1].get<double>(), down - rounding);
@@ -95,8 +95,9 @@ TEST(ClimbCommand, ReadsJsonAndGeoJsonAndDegrees) {
              R"({"waypoints": [[0, 0, 0], {"position": [30, 0, 4], "direction": [1, 1],
                  "climb_angle": 0.1}, [60, 40, 12]]})");
   EXPECT_EQ(program.run({"climb", "points.json", "--max-climb-deg", "10", "-o", "a.json"}).code, 0);
+  constexpr double rounding = 0x1.0p-44;  // of an enclosure, and of the altitude
   const Json a = Json::parse(text_of_file(program.path("a.json")));
-  EXPECT_NEAR(a["promises"]["helix"]["sines"][1][1].get<double>(), std::sin(0.1), 0x1.0p-44);
+  EXPECT_NEAR(a["promises"]["helix"]["sines"][1][1].get<double>(), std::sin(0.1), rounding);
 
   write_text(program.path("degrees.csv"),
              "x,y,z,heading_deg,climb_deg\n0,0,0,0,5\n30,10,4,45,5\n40,40,1,90,0\n");
@@ -112,8 +113,9 @@ TEST(ClimbCommand, ReadsJsonAndGeoJsonAndDegrees) {
       program.run({"climb", "line.geojson", "--geographic", "--datum", "46.5,8,600",
                    "--max-climb-deg", "8", "--turn-radius", "60", "-o", "c.json"});
   ASSERT_EQ(flown.code, 0) << flown.err;
+  constexpr double places = 1e-6;  // a hundred times the accuracy of the local plane
   const Json c = Json::parse(text_of_file(program.path("c.json")));
-  EXPECT_NEAR(c["segments"][0]["start"][2].get<double>(), 60.0, 1e-6);  // not a tolerance: 1e-8 m
+  EXPECT_NEAR(c["segments"][0]["start"][2].get<double>(), 60.0, places);
   expect_refused(program.run({"climb", "line.geojson", "--geographic", "--max-climb-deg", "8"}),
                  "--datum");
 }

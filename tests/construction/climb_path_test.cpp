@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "hodograph/path/bounds.hpp"
 #include "hodograph/path/helix.hpp"
@@ -17,7 +16,8 @@
 namespace hodograph::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+/// The rounding of angles of headings, some ε for each of tens of spans.
+constexpr double heading_rounding = 0x1.0p-40;
 
 TEST(ClimbPath, RandomRequestsAreMetOrRefusedForATrueReason) {
   Random random("climb requests");
@@ -125,7 +125,7 @@ TEST(ClimbRoute, JoinsSpansAndReportsWhatIsContinuous) {
     EXPECT_CLOSE(made->path.position(xi), better[i].position, 256.0, 100.0) << i;
     const auto way = made->path.position_derivatives<1>(xi)[1];
     const Vector2<double> seen{way.x, way.y};
-    EXPECT_LE(std::abs(cross(seen, made->headings[i])) / norm(made->headings[i]), 0x1.0p-40);
+    EXPECT_LE(std::abs(cross(seen, made->headings[i])) / norm(made->headings[i]), heading_rounding);
     EXPECT_CLOSE(norm(seen), 1.0, 64.0, 1.0);  // unit speed over ground
   }
   // Equal angles meet at waypoint 2: C1 there; elsewhere a corner in pitch.
@@ -134,7 +134,7 @@ TEST(ClimbRoute, JoinsSpansAndReportsWhatIsContinuous) {
   EXPECT_GE(made->joints[1].position, 1);
   EXPECT_GE(made->joints[1].preimage, 0);
   EXPECT_GE(made->joints[1].frame, 0);
-  EXPECT_NEAR(made->joints[1].pitch_change, 0.0, 0x1.0p-50);
+  EXPECT_CLOSE(made->joints[1].pitch_change, 0.0, 8.0, 1.0);
   EXPECT_EQ(made->joints[2].position, 0);
   EXPECT_TRUE(recognised_helix(made->path).is_helical());
   for (const ClimbSpan& span : made->spans) EXPECT_LE(span.most_ground_curvature * 5.0, 1.0);

@@ -101,7 +101,8 @@ TEST(Climb, FindsTheGoldenSolutions) {
         const double noise = tolerance * size * size / (sigma * sigma * sigma);
         EXPECT_NEAR(area / (sigma * sigma * sigma), sample["curvature"].number(), noise);
         const double torsion = sample["torsion"].number();
-        if (std::abs(torsion) > 0x1.0p-8) {
+        constexpr double straight = 0x1.0p-8;  // where the curve hardly bends, torsion is 0/0
+        if (std::abs(torsion) > straight) {
           EXPECT_NEAR(dot(binormal, r[3]) / (area * area), torsion,
                       tolerance * std::pow(size / sigma, 3) * (1.0 + std::abs(torsion)));
         }
@@ -132,13 +133,14 @@ TEST(Climb, HasTheNumbersThatThePaperPrints) {
   EXPECT_NEAR(left.rotation_index, 2.0 * 1.454364, 2.0 * digits);  // the paper prints half of it
   EXPECT_NEAR(left.rotation_index + left.margin, 2.0 * 5.360182, 2.0 * digits);
   // Figure 2: the lengths over ground.
+  constexpr double four_digits = 0.5e-4;  // not a tolerance: half of the last printed digit
   const double lengths[4] = {1.8909, 1.6517, 1.4506, 1.2779};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto one = climb_curve({{0.5, 0.5, 0.5}, direction_of_angle(-pi / 2)},
                                  {{1.5, 0.5, 1.7}, direction_of_angle(pi / 3)},
                                  (0.18 + 0.02 * static_cast<double>(i)) * pi)
                          .value();
-    EXPECT_NEAR(one.ground_length, lengths[i], 0.5e-4);  // not a tolerance: printed digits
+    EXPECT_NEAR(one.ground_length, lengths[i], four_digits);
   }
 }
 
@@ -232,10 +234,12 @@ TEST(Climb, MeetsRandomDataAtAConstantAngleAndTheBatchGivesTheSameBits) {
       const Vector2<double> seen{way.x, way.y};
       EXPECT_GT(dot(seen, heading), 0.0);
       const double sine = std::abs(cross(seen, heading)) / (norm(seen) * norm(heading));
-      const bool straight = found->rotation_index < 0x1.0p-20;  // directions within that are met
+      // A straight line answers for directions that are off it by rounding of the length.
+      constexpr double slack = 0x1.0p-20;
+      const bool straight = found->rotation_index < slack;
       // The rounding of a steep climb's direction counts more in its small level part.
       const double steep = 1.0 / std::cos(p.climb_angle);
-      EXPECT_LE(sine, 32.0 * steep * epsilon<double>() + (straight ? 0x1.0p-20 : 0.0));
+      EXPECT_LE(sine, 32.0 * steep * epsilon<double>() + (straight ? slack : 0.0));
     }
     // a·r' = σ sin θ: every coefficient.
     const auto speed = curve.speed_polynomial();
@@ -347,7 +351,8 @@ TEST(Climb, SaysWhatWouldBeFeasible) {
   EXPECT_EQ(steep.fault().sentence.substr(0, 41), "climb angle 0.9 rad needs at least 6.3007");
   EXPECT_NE(steep.fault().sentence.find("got 1"), std::string::npos);
   HeadedPoint higher = end;
-  higher.position.z = *steep.fault().bound * (1.0 + 0x1.0p-40);
+  constexpr double a_little = 1.0 + 0x1.0p-40;  // more than rounding: a straight line is excluded
+  higher.position.z = *steep.fault().bound * a_little;
   EXPECT_TRUE(climb_curve(begin, higher, 0.9));
 
   const struct {

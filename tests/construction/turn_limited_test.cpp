@@ -21,7 +21,12 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// What arcs lose against circles: at most this part of the radius.
 constexpr double coarse_arcs = 1.0 + 0x1.0p-16, fine_arcs = 1.0 + 0x1.0p-20;
+/// Above the rounding of lengths, angles and roots, some hundred ε.
 constexpr double rounded_up = 1.0 + 0x1.0p-40;
+/// The rounding of heading angles along tens of spans, and that of straight lines.
+constexpr double heading_rounding = 0x1.0p-40;
+/// How sharp the certificates are that are asked for again here.
+constexpr RangeGoal curvature_goal{0x1.0p-20};  // not a tolerance: any will do
 
 struct Task {
   DirectedPoint begin, end;
@@ -56,14 +61,14 @@ void expect_path(const TurnLimitedPath& made, const Task& task) {
   }
   const auto& first = path.segments().front().preimage();
   const auto& last = path.segments().back().preimage();
-  const double sine = 0x1.0p-40;  // the rounding of heading angles, and that of straight lines
   EXPECT_GT(dot(hodograph_form(first.front(), first.front()), task.begin.direction), 0.0);
   EXPECT_LE(std::abs(cross(hodograph_form(first.front(), first.front()), task.begin.direction)),
-            sine);
+            heading_rounding);
   EXPECT_GT(dot(hodograph_form(last.back(), last.back()), task.end.direction), 0.0);
-  EXPECT_LE(std::abs(cross(hodograph_form(last.back(), last.back()), task.end.direction)), sine);
+  EXPECT_LE(std::abs(cross(hodograph_form(last.back(), last.back()), task.end.direction)),
+            heading_rounding);
   EXPECT_LE(made.most_curvature * task.radius, 1.0);
-  const Extremes curvature = curvature_extremes(path, RangeGoal{0x1.0p-20});
+  const Extremes curvature = curvature_extremes(path, curvature_goal);
   EXPECT_LE(std::max(-curvature.minimum.lower(), curvature.maximum.upper()), made.most_curvature);
   const auto joints = continuity(path);
   EXPECT_GE(joints.position.order(), 1);
@@ -114,7 +119,7 @@ TEST(TurnLimited, FreeLengthsAlwaysFindAPath) {
         shortest_turn_limited_path(task.begin, task.end, task.radius, {task.length, 0.25});
     ASSERT_TRUE(made) << made.fault().sentence;
     const double length = made->path.arc_length();
-    EXPECT_GE(length, task.length * (1.0 - 0x1.0p-40));
+    EXPECT_GE(length, task.length / rounded_up);
     const double shortest = dubins_length(task.begin, task.end, task.radius);
     EXPECT_GE(rounded_up * length, shortest);
     const double loiter =
@@ -132,8 +137,9 @@ TEST(TurnLimited, ArcsAreWithinTheMarginOfCircles) {
       turn_limited_path({{0.0, 0.0}, {1.0, 0.0}},
                         {{std::sin(a), 1.0 - std::cos(a)}, direction_of_angle(a)}, a, 0.0)
           .value();
-  EXPECT_NEAR(made.most_curvature, 1.0 + 1.034e-5, 0.01e-5);  // not a tolerance: printed digits
-  EXPECT_LT(made.most_curvature, 1.0 + 0x1.0p-16);
+  constexpr double digits = 0.01e-5;  // not a tolerance: those that the documents print
+  EXPECT_NEAR(made.most_curvature, 1.0 + 1.034e-5, digits);
+  EXPECT_LT(made.most_curvature, coarse_arcs);
 }
 
 TEST(TurnLimited, LoitersByWholeTurns) {

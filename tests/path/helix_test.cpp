@@ -94,7 +94,8 @@ TEST(Helix, FindsTheGoldenAxesAndPitches) {
     EXPECT_NEAR(fit.stretches[0].sine, sine, tolerance);
     EXPECT_TRUE(fit.stretches[0].sine_range.contains(fit.stretches[0].sine));
     // Some roundings, times the 256 by which the speed may vary on the parts that are bounded.
-    EXPECT_LE(fit.stretches[0].sine_range.upper() - fit.stretches[0].sine_range.lower(), 0x1.0p-36);
+    constexpr double width = 0x1.0p-36;  // some hundred ε times 256
+    EXPECT_LE(fit.stretches[0].sine_range.upper() - fit.stretches[0].sine_range.lower(), width);
   }
 }
 
@@ -192,7 +193,8 @@ TEST(Helix, OfPlanarAndStraightPathsAndOfNone) {
       {random.quaternion(1.0), random.quaternion(1.0), random.quaternion(1.0)});
   const HelixFit none = recognised_helix(path_of(any));
   EXPECT_FALSE(none.is_helical());
-  EXPECT_GT(none.residual, 0x1.0p-10);
+  constexpr double clearly = 0x1.0p-10;  // far above rounding
+  EXPECT_GT(none.residual, clearly);
   EXPECT_TRUE(none.stretches[0].sine_range.contains(none.stretches[0].sine));
 
   const auto along = helical_decomposition(

@@ -18,6 +18,17 @@
 
 namespace hodograph::test {
 
+/// Above the rounding of lengths, angles and roots, some hundred ε.
+inline constexpr double rounded_up = 1.0 + 0x1.0p-40;
+/// What the finest arcs lose against circles, see construction/turn_limited.hpp.
+inline constexpr double fine_arcs = 1.0 + 0x1.0p-20;
+/// The inclination's deviation: some ε, in units of the largest |A_i|².
+inline constexpr double inclination_rounding = 0x1.0p-44;
+/// Directions that a straight line answers for are off it by rounding of the length.
+inline constexpr double straight_slack = 0x1.0p-20;
+/// How sharply the curvature is bounded again here.
+inline constexpr double curvature_width = 0x1.0p-20;
+
 struct ClimbRequest {
   HeadedPoint begin, end;
   bool angle_given = false;
@@ -82,8 +93,9 @@ inline std::string complaint_about(const ClimbPath& made, const ClimbRequest& r,
   if (!(end <= spans)) return "the end is missed by " + to_text(largest_component(gap));
   if (!(path.segments().front().start() == r.begin.position)) return "it starts elsewhere";
   if (r.limits.turn_radius > 0.0) {
-    const double most = curvature_extremes(path, RangeGoal{0x1.0p-20}).maximum.upper();
-    if (!(most * r.limits.turn_radius <= 1.0 + 0x1.0p-19)) return "it turns too sharply";
+    const double most = curvature_extremes(path, RangeGoal{curvature_width}).maximum.upper();
+    if (!(most * r.limits.turn_radius <= 1.0 + 2.0 * curvature_width))
+      return "it turns too sharply";
     if (!(made.most_ground_curvature * r.limits.turn_radius <= 1.0)) return "no certificate";
   }
   if (r.angle_given) {
@@ -91,7 +103,7 @@ inline std::string complaint_about(const ClimbPath& made, const ClimbRequest& r,
     const double rise = r.end.position.z - r.begin.position.z;
     const double lost = 4.0 * epsilon<double>() * size / std::abs(rise);
     const double off = std::abs(made.climb_angle - r.climb_angle);
-    if (!(off <= std::abs(r.climb_angle) * (0x1.0p-44 + lost))) return "another angle";
+    if (!(off <= std::abs(r.climb_angle) * (inclination_rounding + lost))) return "another angle";
   } else if (!(made.climb_angle <= r.limits.climb_angle &&
                made.climb_angle >= -r.limits.descent_angle)) {
     return "an angle beyond the limits";
@@ -103,7 +115,7 @@ inline std::string complaint_about(const ClimbPath& made, const ClimbRequest& r,
     for (std::size_t i = 0; i <= 4; ++i) {
       const double off = std::abs(hodograph[i].z - sine * speed[i]) / curve.speed_bound();
       campaign.worst_angle = std::max(campaign.worst_angle, off);
-      if (!(off <= 0x1.0p-44)) return "the climb angle is not constant";
+      if (!(off <= inclination_rounding)) return "the climb angle is not constant";
     }
   }
   const auto first = path.segments().front().hodograph().front();
@@ -111,8 +123,7 @@ inline std::string complaint_about(const ClimbPath& made, const ClimbRequest& r,
   for (const auto& [way, heading] : {std::pair{first, r.begin.heading}, {last, r.end.heading}}) {
     const Vector2<double> seen{way.x, way.y};
     const double off = std::abs(cross(seen, heading)) / (norm(seen) * norm(heading));
-    const double straight = 0x1.0p-20;  // directions that a straight line of this length meets
-    if (!(dot(seen, heading) > 0.0 && off <= straight)) return "another heading";
+    if (!(dot(seen, heading) > 0.0 && off <= straight_slack)) return "another heading";
   }
   if (path.segment_count() > 1) {
     const auto joints = continuity(path);
@@ -139,21 +150,20 @@ inline std::string complaint_about(const Fault& fault, const ClimbRequest& r,
   if (fault.quantity != "climb" || !fault.bound) return "no bound: " + fault.sentence;
   const DirectedPoint begin{{r.begin.position.x, r.begin.position.y}, r.begin.heading};
   const DirectedPoint end{{r.end.position.x, r.end.position.y}, r.end.heading};
-  constexpr double rounded_up = 1.0 + 0x1.0p-40;
   const double shortest = r.limits.turn_radius > 0.0
-                              ? dubins_length(begin, end, (1.0 + 0x1.0p-20) * r.limits.turn_radius)
-                              : chord * (1.0 + 0x1.0p-40);
+                              ? dubins_length(begin, end, fine_arcs * r.limits.turn_radius)
+                              : chord * rounded_up;
   if (fault.sentence.find("at least") != std::string::npos ||
       fault.sentence.find("straight line") != std::string::npos) {
     ++campaign.too_little;
     // Back to where it began: a path of no length, or a whole turn.
-    const bool back = shortest < 0x1.0p-20 * r.limits.turn_radius && chord == 0.0;
+    const bool back = shortest < straight_slack * r.limits.turn_radius && chord == 0.0;
     if (!back && !(length <= rounded_up * shortest)) return "it could be met: " + fault.sentence;
   } else {
     ++campaign.between;
   }
   ClimbRequest higher = r;
-  const double more = r.limits.turn_radius > 0.0 ? rounded_up : 1.0 + 0x1.0p-20;
+  const double more = r.limits.turn_radius > 0.0 ? rounded_up : fine_arcs;
   const double lost = 4.0 * epsilon<double>() * std::abs(r.begin.position.z);
   higher.end.position.z = r.begin.position.z + std::copysign(*fault.bound * more + lost, rise);
   const auto met =

@@ -17,9 +17,11 @@ namespace hodograph::test {
 inline double dubins_length(const DirectedPoint& begin, const DirectedPoint& end, double radius) {
   using std::acos, std::atan2, std::cos, std::sin, std::sqrt;
   const double turn = 2.0 * std::numbers::pi;
+  constexpr double no_turn = 0x1.0p-46;   // rounding of angles
+  constexpr double touching = 0x1.0p-40;  // rounding of squared distances of some radii
   const auto mod = [&](double x) {
     const double wrapped = x - turn * std::floor(x / turn);
-    return wrapped > turn - 0x1.0p-46 ? 0.0 : wrapped;
+    return wrapped > turn - no_turn ? 0.0 : wrapped;
   };
   const Vector2<double> way = end.position - begin.position;
   const double d = std::hypot(way.x, way.y) / radius;
@@ -29,11 +31,11 @@ inline double dubins_length(const DirectedPoint& begin, const DirectedPoint& end
   const double sa = sin(a), sb = sin(b), ca = cos(a), cb = cos(b), cab = cos(a - b);
   double best = std::numeric_limits<double>::infinity();
   const auto take = [&](double t, double p, double q) { best = std::min(best, t + p + q); };
-  if (const double s = 2 + d * d - 2 * cab + 2 * d * (sa - sb); s > -0x1.0p-40) {
+  if (const double s = 2 + d * d - 2 * cab + 2 * d * (sa - sb); s > -touching) {
     const double w = atan2(cb - ca, d + sa - sb);
     take(mod(w - a), sqrt(std::max(0.0, s)), mod(b - w));
   }
-  if (const double s = 2 + d * d - 2 * cab + 2 * d * (sb - sa); s > -0x1.0p-40) {
+  if (const double s = 2 + d * d - 2 * cab + 2 * d * (sb - sa); s > -touching) {
     const double w = atan2(ca - cb, d - sa + sb);
     take(mod(a - w), sqrt(std::max(0.0, s)), mod(w - b));
   }
