@@ -148,8 +148,7 @@ std::unique_ptr<Command> plan_command(CLI::App& program) {
       "hodograph check plan.json harbour.geojson"};
   if (has_geodesy()) {
     examples.emplace_back(
-        "hodograph plan harbour.geojson --turn-radius 3 --qgroundcontrol harbour.plan "
-        "--datum 47.4,8.5,400 --altitude 30 --speed 5");
+        "hodograph plan harbour.geojson --turn-radius 3 --wpl harbour.txt --datum 47.4,8.5,400");
   }
   command->examples(examples);
   command->note(
