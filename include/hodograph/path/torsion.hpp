@@ -90,7 +90,7 @@ std::vector<SegmentPart> evenly_bent_parts(const SpatialPath<n>& path) {
 /// torsion may be unbounded and so are both ends; a part on which N is exactly zero (as in a
 /// coordinate plane) counts with torsion 0. At a knot the torsion may jump: both sides count.
 /// Domain: preimage degree 1 to 8 (higher denominators leave the range of the weights).
-/// Method: best-first subdivision of N/(σ² B). Cost: tens of microseconds a segment.
+/// Method: best-first subdivision of N/(σ² B). Cost: some 0.4 ms a segment of degree 7.
 template <std::size_t n>
   requires(n >= 1 && n <= 8)
 Extremes torsion_extremes(const SpatialPath<n>& path, const RangeGoal& goal) {
