@@ -34,8 +34,9 @@ struct HelicalPart {
   Row<Complex<double>> w;
   double factor = 0.0;
 };
-/// The decomposition, where what is left of every coefficient is below accuracy::join_error of the
-/// largest. Source: (24), (33) and Remark 2 of the helical paper.
+/// The decomposition, by orthogonalising (no axis is looked for: path/helix.hpp), where what is
+/// left of every coefficient is below accuracy::join_error of the largest. Source: (24), (33) and
+/// Remark 2 of the helical paper.
 std::optional<HelicalPart> helical_part(const Row<Quaternion<double>>& preimage);
 
 }  // namespace hodograph::frame_detail

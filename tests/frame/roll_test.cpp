@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "hodograph/construction/closed_loop.hpp"
+#include "hodograph/construction/lift.hpp"
 #include "hodograph/frame/adapted_frame.hpp"
 #include "hodograph/frame/frenet.hpp"
 #include "hodograph/frame/holonomy.hpp"
@@ -109,6 +110,33 @@ TEST(RotationMinimising, SaysHowItFoundTheAngle) {
   const auto cubic = random_path<SpatialPath<1>>(random, 1);
   EXPECT_EQ(rotation_minimising_roll(cubic).value().method(0), RollMethod::argument);
   EXPECT_EQ(FrameRoll::none(quintic).method(0), RollMethod::polynomial);
+}
+
+/// (33) of the helical paper on a lifted path of several segments: θ = -2 sin(climb) arg w with the
+/// continuous argument of the plan's preimage, which is twice round here.
+TEST(RotationMinimising, HelicalPathsInClosedForm) {
+  for (const double slope : {-2.0, -0.1, 0.3, 5.0}) {
+    // A ring is closed, so that its lift is made of its segments twice over.
+    const auto once = ring(7);
+    std::vector<PlanarPhCurve<1>> segments;
+    std::vector<double> knots{0.0};
+    for (std::size_t k = 0; k < 14; ++k) {
+      const double sign = k < 7 ? 1.0 : -1.0;  // the preimage returns to its negative
+      segments.emplace_back(
+          k == 0 ? once.segment(0).start() : segments.back().end(),
+          once.segment(k % 7).preimage().mapped([&](const Complex<double>& w) { return sign * w; }),
+          1.0);
+      knots.push_back(static_cast<double>(k + 1));
+    }
+    const auto plan = PlanarPath<1>::create(knots, segments, false).value();
+    const auto path = lifted(plan, 0.0, slope).value();
+    const FrameRoll roll = rotation_minimising_roll(path).value();
+    const double sine = slope / std::hypot(1.0, slope);
+    // Twice round is a turn of 4π of the direction and of 2π of arg w; ring() knows π to 16 digits.
+    EXPECT_NEAR(roll.angle(14.0), -2.0 * sine * 2.0 * pi,
+                roll.error_bound() + 64 * epsilon<double>());
+    for (std::size_t k = 0; k < 14; ++k) EXPECT_EQ(roll.method(k), RollMethod::argument);
+  }
 }
 
 /// A = p B with a real quadratic p without real zeros: σ = p² |B|² has double roots, where partial
@@ -441,7 +469,7 @@ TEST(Roll, DerivativesAreThoseOfTheAngle) {
 
 TEST(Roll, HostileInputIsRefusedOrRight) {
   Random random("hostile rolls");
-  int refused = 0, made = 0;
+  int made = 0;
   for (int repeat = 0; repeat < 300; ++repeat) {
     // Speeds that come close to zero, exactly zero at an end or inside, of extreme sizes.
     BernsteinPolynomial<Quaternion<double>, 3> a;
@@ -454,7 +482,6 @@ TEST(Roll, HostileInputIsRefusedOrRight) {
     for (const auto& roll :
          {rotation_minimising_roll(*path), frenet_roll(*path), least_twist_roll(*path, 0.0, 1.0)}) {
       if (!roll) {
-        ++refused;
         EXPECT_FALSE(roll.fault().sentence.empty());
         continue;
       }
