@@ -361,6 +361,7 @@ class Mesher {
     }
     const bool closed = sweep_.motion.is_closed();
     const std::size_t bands = closed ? rings : rings - 1;
+    mesh.triangles.reserve(2 * bands * cells_.size() + cap_vertices);  // fewer for the caps
     mesh.triangles.resize(2 * bands * cells_.size());
     auto* triangle = mesh.triangles.data();
     for (std::size_t i = 0; i < bands; ++i) {
