@@ -288,6 +288,49 @@ TEST(SweepMesh, SampledDeviationIsWithinTheBound) {
   }
 }
 
+TEST(SweepMesh, FrenetFramesOfLoopsClose) {
+  const auto loop = closed_loop({0.5, 2.0}, {10.0, {}, {1, 0, 0, 0}}).value();
+  const Profile ellipse = Profile::ellipse(0.3, 0.1).value();
+  const Sweep sweep{Motion::along(loop, frenet_roll(loop).value()).value(), ellipse};
+  const MeshFacts facts = checked(sweep, 0.001, 0);
+  EXPECT_TRUE(facts.is_closed());
+  const double volume = pi * 0.3 * 0.1 * loop.arc_length();
+  EXPECT_LE(std::abs(facts.volume - volume), 0.001 * facts.area);
+  // A figure of eight has inflections, where the normal changes sides.
+  const auto eight = closed_loop({0.0, 0.0}).value();
+  EXPECT_EQ(Motion::along(eight, frenet_roll(eight).value()).fault().code,
+            FaultCode::not_continuous);
+}
+
+/// A planar path as profile, and a tube whose radius varies: the volume is the integral of the
+/// area, of scale² times that of the profile.
+TEST(SweepMesh, PathsAsProfilesAndVaryingRadius) {
+  const Sweep sweep{Motion::along(straight(3.0), MotionFrame::closing, {1.0, 2.0, 1.0}).value(),
+                    Profile::of(AnyPath(ring(0.5, 64))).value()};
+  const MeshFacts facts = checked(sweep, 0.001, 2);
+  // ∫ (1 + 2t(1-t))² dt = 1 + 2/3 + 2/15.
+  const double volume = pi * 0.25 * 3.0 * (1.0 + 2.0 / 3.0 + 2.0 / 15.0);
+  EXPECT_LE(std::abs(facts.volume - volume), 0.001 * facts.area);
+}
+
+TEST(SweepTracks, AreOffsetsInTheFrame) {
+  const auto path = bent();
+  const Motion motion = Motion::along(path).value();
+  const AdaptedFrame frame(path, FrameRoll::none(path));
+  const auto curves = offset_track(motion, {0.0, 0.3, -0.1}).value();
+  EXPECT_EQ(curves.front().begin, 0.0);
+  EXPECT_EQ(curves.back().end, 1.0);
+  for (const auto& curve : curves) {
+    EXPECT_EQ(curve.degree(), 13u);
+    for (const double u : {0.0, 0.3, 1.0}) {
+      const double xi = curve.begin + u * (curve.end - curve.begin);
+      const auto r = frame.at(xi);
+      expect_near(curve.position(u), path.position(xi) + 0.3 * r.e2 - 0.1 * r.e3,
+                  256 * epsilon<double>());
+    }
+  }
+}
+
 TEST(SweepMesh, RibbonHasABoundary) {
   const std::vector<Vector2<double>> edge{{-0.2, 0.0}, {0.3, 0.0}};
   const Profile line = Profile::polyline(edge).value();
