@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// All complex roots of a polynomial at once.
+// Bernstein polynomials in powers of z = u/(1-u), for their complex roots.
 #pragma once
 
 #include <complex>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
+#include "hodograph/bernstein/complex_roots.hpp"
 #include "rows.hpp"
 
 namespace hodograph::frame_detail {
@@ -42,10 +42,5 @@ PowerJet power_jet(const std::vector<V>& a, const std::complex<double>& z) {
   }
   return jet;
 }
-
-/// The roots of Σ a_k z^k, as many as its degree (leading zeros taken away). Each is an exact root
-/// of a polynomial whose coefficients differ by a few n ε. Nothing where the iteration does not
-/// settle or a coefficient is not finite. Method: Aberth's, from a circle about the roots.
-std::optional<std::vector<std::complex<double>>> complex_roots(std::vector<std::complex<double>> a);
 
 }  // namespace hodograph::frame_detail

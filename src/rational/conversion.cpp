@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "../frame/complex_roots.hpp"
 #include "flint.hpp"
+#include "hodograph/bernstein/complex_roots.hpp"
 
 namespace hodograph {
 
@@ -116,7 +116,7 @@ std::optional<DynamicPolynomial<Quaternion<double>>> square_root_factor(const Ra
   fmpq_poly_compose(raw(q), raw(s), raw(RationalPolynomial{a, b - a}));
   std::vector<std::complex<double>> coefficients;
   for (const Rational& c : q.monic().coefficients()) coefficients.emplace_back(c.to_double());
-  const auto roots = frame_detail::complex_roots(coefficients);
+  const auto roots = complex_roots(coefficients);
   if (!roots) return std::nullopt;
   Factor result{Quaternion<double>{1.0, 0.0, 0.0, 0.0}};
   std::size_t count = 0;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "complex_roots.hpp"
+// Aberth's iteration for all roots of a polynomial.
+#include "hodograph/bernstein/complex_roots.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
-namespace hodograph::frame_detail {
+#include "hodograph/foundation/scalar.hpp"
+
+namespace hodograph {
 
 std::optional<std::vector<std::complex<double>>> complex_roots(
     std::vector<std::complex<double>> a) {
@@ -74,4 +78,4 @@ std::optional<std::vector<std::complex<double>>> complex_roots(
   return roots;
 }
 
-}  // namespace hodograph::frame_detail
+}  // namespace hodograph
