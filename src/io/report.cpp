@@ -59,11 +59,10 @@ std::string rounded(double value, Rounding rounding, int digits) {
 
 /// "1e-08" as "1e-8".
 std::string short_exponent(std::string text) {
-  const std::size_t at =
-      text.find_first_of("-+", text.find('e') == std::string::npos ? text.size() : text.find('e'));
-  if (at != std::string::npos) {
-    while (at + 2 < text.size() && text[at + 1] == '0') text.erase(at + 1, 1);
-  }
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  const std::size_t digits = exponent + 2;  // behind its sign
+  while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
   return text;
 }
 
