@@ -59,10 +59,10 @@ std::string rounded(double value, Rounding rounding, int digits) {
 
 /// "1e-08" as "1e-8".
 std::string short_exponent(std::string text) {
-  const std::size_t exponent = text.find('e');
-  if (exponent == std::string::npos) return text;
-  const std::size_t digits = exponent + 2;  // behind its sign
-  while (digits + 1 < text.size() && text[digits] == '0') text.erase(digits, 1);
+  const auto exponent = std::find(text.begin(), text.end(), 'e');
+  if (exponent == text.end()) return text;
+  const auto digits = exponent + 2;  // behind its sign
+  while (digits + 1 < text.end() && *digits == '0') text.erase(digits);
   return text;
 }
 
