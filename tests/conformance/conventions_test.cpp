@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "hodograph/construction/start_frame.hpp"
 #include "hodograph/foundation/fault.hpp"
 #include "hodograph/frame/adapted_frame.hpp"
 #include "hodograph/frame/angular_velocity.hpp"
@@ -222,6 +223,14 @@ TEST(Conventions, RollIsARightFactorOfHalfTheAngle) {
   EXPECT_EQ(frame.e1, (V3{1, 0, 0}));
   EXPECT_EQ(frame.e2, (V3{0, 0, 1}));
   EXPECT_EQ(frame.e3, (V3{0, -1, 0}));
+}
+
+TEST(Conventions, LevelNormalIsToTheLeft) {
+  EXPECT_EQ(level_frame({2, 0, 0}).value(), (Q{1, 0, 0, 0}));
+  // Half a turn about z: the direction -x has its left at -y.
+  const Frame3<double> back = scaled_frame(level_frame({-1, 0, 0}).value());
+  EXPECT_EQ(back.e1, (V3{-1, 0, 0}));
+  EXPECT_EQ(back.e2, (V3{0, -1, 0}));
 }
 
 #ifdef HODOGRAPH_HAS_ORBIT

@@ -433,10 +433,15 @@ TEST(StartFrame, HasTheGivenDirectionAndNormal) {
                  preimage_roundings, 1.0);
     EXPECT_GE(level.e3.z, 0.0);
   }
+}
+
+TEST(StartFrame, LevelNormalIsToTheLeft) {
   EXPECT_EQ(level_frame({2.0, 0.0, 0.0}).value(), (Quaternion<double>{1.0, 0.0, 0.0, 0.0}));
   const auto up = scaled_frame(level_frame({0.0, 0.0, 3.0}).value());
   EXPECT_CLOSE(up.e1, (Vector3<double>{0, 0, 1}), 8.0, 1.0);
   EXPECT_CLOSE(up.e2, (Vector3<double>{0, 1, 0}), 8.0, 1.0);
+  const auto north = scaled_frame(level_frame({0.0, 2.0, 0.0}).value());
+  EXPECT_CLOSE(north.e2, (Vector3<double>{-1, 0, 0}), 8.0, 1.0);
 }
 
 TEST(StartFrame, RefusesWhatIsNoFrame) {
