@@ -18,8 +18,8 @@ using Json = nlohmann::json;
 constexpr const char* curve_23 = "1.5*sin(7.2*t), cos(9*t), exp(cos(1.8*t))";
 
 const std::vector<std::string> commands = {
-    "fit",        "orbit",  "spline", "hermite", "corner", "loop", "frame", "plan",   "swarm",
-    "separation", "offset", "sample", "inspect", "check",  "plot", "batch", "version"};
+    "fit",        "orbit",  "spline", "hermite", "corner",  "loop",  "frame", "plan",  "swarm",
+    "separation", "offset", "sweep",  "sample",  "inspect", "check", "plot",  "batch", "version"};
 
 /// Fits curve (23) of the PHODCOS paper into curve.json.
 void make_curve(const Program& program) {
