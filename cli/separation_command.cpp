@@ -15,7 +15,8 @@ namespace {
 
 struct SeparationFlags {
   std::string first, second, stands = standing_words[0], picture;
-  std::vector<double> speed, departure, arrival, acceleration, deceleration, lateral_acceleration;
+  std::vector<double> speed, departure, arrival, acceleration, deceleration, lateral_acceleration,
+      altitude;
   double at_least = 0.0, ellipsoid = 1.0, step = 0.0;
   bool at_least_given = false, step_given = false, as_json = false;
 };
@@ -35,6 +36,7 @@ Flight flight_of(const SeparationFlags& flags, std::size_t which) {
   flight.deceleration = one_of(flags.deceleration, which);
   flight.lateral_acceleration = one_of(flags.lateral_acceleration, which);
   flight.presence = presence_of(flags.stands);
+  flight.altitude = one_of(flags.altitude, which);
   return flight;
 }
 
@@ -106,6 +108,7 @@ std::unique_ptr<Command> separation_command(CLI::App& program) {
   pair("--lateral-acceleration", flags->lateral_acceleration, "A[,A]",
        "slower in bends, so that v^2 times the curvature stays below this everywhere")
       .needs(acceleration);
+  pair("--altitude", flags->altitude, "Z[,Z]", "of paths in the plane (default 0)");
   command
       ->option("--stands", flags->stands, "WHEN",
                "whether they stand at the ends of their paths before they start and after they "

@@ -203,5 +203,22 @@ TEST(MixedSwarm, IsMadeAroundThePathsThatAreGiven) {
   EXPECT_TRUE(answer["vehicles"][1].contains("solution"));
 }
 
+TEST(SeparationCommand, CountsAltitudes) {
+  const Program program;
+  ASSERT_EQ(program.run({"swarm", swarm_file(), "-o", "fleet"}).code, 0);
+  const auto least = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"separation", "fleet/a.json", "fleet/b.json", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = program.run(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return Json::parse(outcome.out)["distance"]["lower"].get<double>();
+  };
+  const double level = least({}), above = least({"--altitude", "0,3"});
+  constexpr double width = 1e-8;  // not a tolerance: of the enclosures, 1e-9 of the length
+  EXPECT_NEAR(above, std::hypot(level, 3.0), width);
+  EXPECT_NEAR(least({"--altitude", "2"}), level, width);
+  EXPECT_NEAR(least({"--altitude", "0,3", "--ellipsoid", "3"}), std::hypot(level, 1.0), width);
+}
+
 }  // namespace
 }  // namespace hodograph::test
