@@ -51,10 +51,7 @@ class RationalMatrix {
   RationalMatrix(RationalMatrix&& other) noexcept : RationalMatrix(0, 0) {
     fmpq_mat_swap(value_, other.value_);
   }
-  RationalMatrix& operator=(RationalMatrix other) noexcept {
-    fmpq_mat_swap(value_, other.value_);
-    return *this;
-  }
+  RationalMatrix& operator=(const RationalMatrix&) = delete;
   ~RationalMatrix() { fmpq_mat_clear(value_); }
 
   std::size_t rows() const { return static_cast<std::size_t>(fmpq_mat_nrows(value_)); }
@@ -85,30 +82,16 @@ class RationalMatrix {
 /// An integer polynomial, for what FLINT offers on those alone.
 class IntegerPolynomial {
  public:
-  IntegerPolynomial() { fmpz_poly_init(value_); }
   /// The primitive integer multiple of p.
-  explicit IntegerPolynomial(const RationalPolynomial& p) : IntegerPolynomial() {
+  explicit IntegerPolynomial(const RationalPolynomial& p) {
+    fmpz_poly_init(value_);
     fmpq_poly_get_numerator(value_, raw(p));
     fmpz_poly_primitive_part(value_, value_);
   }
-  IntegerPolynomial(const IntegerPolynomial& other) : IntegerPolynomial() {
-    fmpz_poly_set(value_, other.value_);
-  }
-  IntegerPolynomial(IntegerPolynomial&& other) noexcept : IntegerPolynomial() {
-    fmpz_poly_swap(value_, other.value_);
-  }
-  IntegerPolynomial& operator=(IntegerPolynomial other) noexcept {
-    fmpz_poly_swap(value_, other.value_);
-    return *this;
-  }
+  IntegerPolynomial(const IntegerPolynomial&) = delete;
+  IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
   ~IntegerPolynomial() { fmpz_poly_clear(value_); }
-  fmpz_poly_struct* get() { return value_; }
   const fmpz_poly_struct* get() const { return value_; }
-  RationalPolynomial rational() const {
-    RationalPolynomial p;
-    fmpq_poly_set_fmpz_poly(raw(p), value_);
-    return p;
-  }
 
  private:
   fmpz_poly_t value_;

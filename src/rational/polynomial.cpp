@@ -37,7 +37,7 @@ RationalPolynomial::RationalPolynomial(RationalPolynomial&& other) noexcept : Ra
   fmpq_poly_swap(raw(*this), raw(other));
 }
 RationalPolynomial& RationalPolynomial::operator=(const RationalPolynomial& other) {
-  fmpq_poly_set(raw(*this), raw(other));
+  if (this != &other) fmpq_poly_set(raw(*this), raw(other));
   return *this;
 }
 RationalPolynomial& RationalPolynomial::operator=(RationalPolynomial&& other) noexcept {

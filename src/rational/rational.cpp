@@ -32,7 +32,7 @@ Rational::Rational(std::int64_t numerator, std::int64_t denominator) : Rational(
 Rational::Rational(const Rational& other) : Rational() { fmpq_set(raw(*this), raw(other)); }
 Rational::Rational(Rational&& other) noexcept : Rational() { fmpq_swap(raw(*this), raw(other)); }
 Rational& Rational::operator=(const Rational& other) {
-  fmpq_set(raw(*this), raw(other));
+  if (this != &other) fmpq_set(raw(*this), raw(other));
   return *this;
 }
 Rational& Rational::operator=(Rational&& other) noexcept {

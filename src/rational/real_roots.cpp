@@ -70,13 +70,12 @@ RealRoot::RealRoot(RationalPolynomial factor, std::size_t multiplicity, Rational
       lower_(std::move(lower)),
       upper_(std::move(upper)) {}
 
-std::strong_ordering RealRoot::compare(const Rational& x) const {
-  if (is_rational()) return lower_ <=> x;
-  if (x <= lower_) return std::strong_ordering::greater;
-  if (upper_ <= x) return std::strong_ordering::less;
+int RealRoot::compare(const Rational& x) const {
+  if (is_rational()) return (lower_ - x).sign();
+  if (x <= lower_) return 1;
+  if (upper_ <= x) return -1;
   // The factor changes its sign at the root alone within the interval.
-  const int at_x = factor_.value(x).sign(), at_lower = factor_.value(lower_).sign();
-  return at_x == at_lower ? std::strong_ordering::greater : std::strong_ordering::less;
+  return factor_.value(x).sign() == factor_.value(lower_).sign() ? 1 : -1;
 }
 
 RealRoot RealRoot::halved() const {

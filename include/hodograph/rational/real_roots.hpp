@@ -2,7 +2,6 @@
 // The real roots of polynomials over ℚ, isolated exactly.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <vector>
 
@@ -24,8 +23,8 @@ class RealRoot {
   const Rational& upper() const { return upper_; }
   bool is_rational() const { return lower_ == upper_; }
 
-  /// The root against x, exactly.
-  std::strong_ordering compare(const Rational& x) const;
+  /// The sign of the root minus x, exactly: -1, 0 or 1.
+  int compare(const Rational& x) const;
   /// The same root in an interval half as wide.
   RealRoot halved() const;
   /// The double nearest to the root. Domain: the root is within the range of doubles.
