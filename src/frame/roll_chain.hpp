@@ -14,8 +14,8 @@ namespace hodograph::frame_detail {
 
 /// Partial fractions are taken where their error is estimated below this many radians (and as much
 /// of the angle). The estimate is one from above: on 400 tame preimages of each degree n = 1, 2, 3,
-/// 5, 8 its median was 38, 434, 2267, 1.6e4, 8.9e4 ε, that of the error 0.5, 2, 5, 17, 59 ε.
-inline constexpr double closed_form_error = 0x1.0p-40;
+/// 5, 8 its median was 52, 658, 3560, 2.5e4, 1.5e5 ε, that of the error 0.5, 2, 5, 17, 57 ε.
+inline constexpr double closed_form_error = 0x1.0p-39;
 
 /// The turns at the inner knots, for a closed path then at the closing one. Faults: zero_speed,
 /// not_continuous, with the index of the knot.

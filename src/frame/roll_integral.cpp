@@ -22,7 +22,7 @@ std::optional<Estimated> integral_by_partial_fractions(const Row<double>& p, con
     const PowerJet top = power_jet(numerator, z), bottom = power_jet(denominator, z);
     const Number residue = top.value / bottom.first, log = -std::log(-z);
     const double slope = std::abs(bottom.first);
-    const double delta = (n + 2.0) * epsilon<double>() * bottom.size / slope;
+    const double delta = 2.0 * (n + 1.0) * epsilon<double>() * bottom.size / slope;
     const double residue_error =
         (delta * (std::abs(top.first) + std::abs(residue * bottom.second)) +
          n * epsilon<double>() * (top.size + std::abs(residue) * bottom.slope_size)) /

@@ -20,9 +20,9 @@ struct Estimated {
 /// the logarithm -log(-z), whatever the degree of Q really is.
 /// Source: errata of the loops paper (P = 2N, Q = σ).
 ///
-/// The error: a root is known to δ = (n + 2) ε Σ |a_k z^k|/|Q'(z)|; to first order the residue then
-/// changes by δ (|P'| + |P Q''/Q'|)/|Q'| and the logarithm by δ/|z|. Close roots make all of these
-/// large: at a distance d the error grows like ε/d². Nothing where a root is not found or the
+/// The error: a root is known to δ = 2 (n + 1) ε Σ |a_k z^k|/|Q'(z)|; to first order the residue
+/// then changes by δ (|P'| + |P Q''/Q'|)/|Q'| and the logarithm by δ/|z|. Close roots make all of
+/// these large: at a distance d the error grows like ε/d². Nothing where a root is not found or the
 /// sum is not finite.
 std::optional<Estimated> integral_by_partial_fractions(const Row<double>& p, const Row<double>& q);
 

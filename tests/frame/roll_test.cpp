@@ -51,7 +51,7 @@ template <std::size_t n>
 void expect_minimising(const SpatialPath<n>& path, RollIntegration integration, Random& random) {
   const FrameRoll roll = rotation_minimising_roll(path, 0.3, integration).value();
   // The bounds of series are some hundred roundings of the largest speed over the least, what is
-  // allowed to partial fractions 2^12.
+  // allowed to partial fractions 2^13.
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (int i = 0; i <= 200; ++i) {
     const double speed = path.speed(
@@ -61,7 +61,7 @@ void expect_minimising(const SpatialPath<n>& path, RollIntegration integration, 
   for (const auto& curve : path.segments()) {
     for (const auto& a : curve.preimage().coefficients()) most = std::max(most, dot(a, a));
   }
-  EXPECT_LE(roll.error_bound(), (integration == RollIntegration::series ? 2048 : 16384) *
+  EXPECT_LE(roll.error_bound(), (integration == RollIntegration::series ? 2048 : 32768) *
                                     (most / least) * epsilon<double>() *
                                     static_cast<double>(path.segment_count()));
   const AdaptedFrame frame(path, roll);

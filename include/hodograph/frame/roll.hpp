@@ -142,7 +142,7 @@ class FrameRoll {
 /// jumps by a roll at a knot, θ jumps back, so that the frame is continuous.
 /// Closed form on helical segments, θ = -2 sin(angle to the plane across the axis) arg w with the
 /// continuous argument. Elsewhere by certified series, or over whole segments by partial fractions
-/// where their error is estimated (from above) below 2^-40 (1 + |change|), and by series otherwise:
+/// where their error is estimated (from above) below 2^-39 (1 + |change|), and by series otherwise:
 /// see method().
 /// Faults: not_finite (begin), zero_speed (index: the segment where σ may vanish), not_continuous
 /// (index: the knot where the tangent breaks).
