@@ -30,16 +30,28 @@ std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
                                              const std::vector<RationalPolynomial>& components,
                                              std::size_t unknowns) {
   const std::size_t rho = degree_of(reduction.radical());
+  // What t^k leaves for every k that occurs; the components are combinations of these.
+  std::size_t longest = 0;
+  for (const auto& p : components) longest = std::max(longest, degree_of(p));
+  std::vector<RationalPolynomial> residues;
+  RationalPolynomial power(1);
+  for (std::size_t k = 0; k < unknowns + longest; ++k) {
+    power = power % reduction.denominator();
+    residues.push_back(reduction.reduce(power).logarithmic);
+    power = power.times_power(1);
+  }
   // Columns by falling degree: the null space then comes in that echelon form.
   RationalMatrix equations(components.size() * rho, unknowns);
   for (std::size_t c = 0; c < components.size(); ++c) {
-    RationalPolynomial p = components[c] % reduction.denominator();
+    const std::vector<Rational> f = components[c].coefficients();
     for (std::size_t k = 0; k < unknowns; ++k) {
-      const RationalPolynomial residue = reduction.reduce(p).logarithmic;
+      RationalPolynomial residue;
+      for (std::size_t i = 0; i < f.size(); ++i) {
+        residue += RationalPolynomial(f[i]) * residues[k + i];
+      }
       for (std::size_t i = 0; i < rho; ++i) {
         equations.set_coefficient(c * rho + i, unknowns - 1 - k, residue, i);
       }
-      p = p.times_power(1) % reduction.denominator();
     }
   }
   const RationalMatrix solutions = equations.null_space();
