@@ -74,9 +74,11 @@ std::vector<ClimbWaypoint> from_list(const Json& list, const std::string& pointe
   }
   std::vector<ClimbWaypoint> waypoints;
   for (const Json& item : list) {
-    const std::string where = pointer + "/" + std::to_string(waypoints.size());
+    std::string where = pointer;
+    where.append("/").append(std::to_string(waypoints.size()));
     if (!item.is_object()) {
-      waypoints.push_back({place_of(item, name + ", at " + where, places), {}, {}, {}});
+      waypoints.push_back(
+          {place_of(item, std::string(name).append(", at ").append(where), places), {}, {}, {}});
       continue;
     }
     Members members(item, where, name);

@@ -71,7 +71,7 @@ Fault in_terms_of_climb(Fault fault, double rise, double ground_length, double a
   return fault;
 }
 
-Result<ClimbPath> lift(TurnLimitedPath plan, const HeadedPoint& begin, double rise,
+Result<ClimbPath> lift(const TurnLimitedPath& plan, const HeadedPoint& begin, double rise,
                        double ground_length) {
   // Over the plan's own length, which has the rounding of its spans: so the altitude is met.
   auto path = lifted(plan.path, begin.position.z, rise / plan.path.arc_length());
@@ -99,7 +99,7 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end, d
   if (!plan) {
     return in_terms_of_climb(plan.fault(), rise, ground_length, climb_angle, turn_radius);
   }
-  return lift(*std::move(plan), begin, rise, ground_length);
+  return lift(*plan, begin, rise, ground_length);
 }
 
 Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end,
@@ -128,7 +128,7 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end,
                                          {least, most_detour});
   if (!plan) return plan.fault();
   const double ground_length = std::max(plan->path.arc_length(), least);
-  return lift(*std::move(plan), begin, rise, ground_length);
+  return lift(*plan, begin, rise, ground_length);
 }
 
 Result<ClimbPath> climb_path_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
@@ -136,7 +136,7 @@ Result<ClimbPath> climb_path_of_ground_length(const HeadedPoint& begin, const He
   if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
   auto plan = turn_limited_path(over_ground(begin), over_ground(end), ground_length, turn_radius);
   if (!plan) return plan.fault();
-  return lift(*std::move(plan), begin, end.position.z - begin.position.z, ground_length);
+  return lift(*plan, begin, end.position.z - begin.position.z, ground_length);
 }
 
 Result<ClimbRoute> climb_route(std::span<const ClimbWaypoint> waypoints,

@@ -93,7 +93,7 @@ double residual_of(std::span<const std::array<double, 4>> rows, std::size_t rows
 }
 
 Vector3<double> in_upper_half(const Vector3<double>& axis) {
-  for (const std::size_t i : {2, 1, 0}) {
+  for (const std::size_t i : {2U, 1U, 0U}) {
     if (std::abs(axis[i]) > helix_rounding) return axis[i] < 0.0 ? -axis : axis;
   }
   return axis;
