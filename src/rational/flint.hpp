@@ -79,6 +79,29 @@ class RationalMatrix {
   fmpq_mat_t value_;
 };
 
+/// A matrix over ℤ, rows × columns, of zeros at first.
+class IntegerMatrix {
+ public:
+  IntegerMatrix(std::size_t rows, std::size_t columns) {
+    fmpz_mat_init(value_, signed_size(rows), signed_size(columns));
+  }
+  IntegerMatrix(const IntegerMatrix&) = delete;
+  IntegerMatrix& operator=(const IntegerMatrix&) = delete;
+  ~IntegerMatrix() { fmpz_mat_clear(value_); }
+
+  fmpz* at(std::size_t i, std::size_t j) {
+    return fmpz_mat_entry(value_, signed_size(i), signed_size(j));
+  }
+  fmpz_mat_struct* get() { return value_; }
+
+  /// A basis of the null space {x : M x = 0}, one row each, 1 in the column that is its own.
+  /// Destroys the matrix.
+  RationalMatrix null_space();
+
+ private:
+  fmpz_mat_t value_;
+};
+
 /// An integer polynomial, for what FLINT offers on those alone.
 class IntegerPolynomial {
  public:

@@ -15,6 +15,7 @@
 namespace hodograph {
 
 using rational_detail::HermiteReduction;
+using rational_detail::IntegerMatrix;
 using rational_detail::RationalMatrix;
 using rational_detail::raw;
 
@@ -40,17 +41,31 @@ std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
     residues.push_back(reduction.reduce(power).logarithmic);
     power = power.times_power(1);
   }
-  // Columns by falling degree: the null space then comes in that echelon form.
-  RationalMatrix equations(components.size() * rho, unknowns);
+  // Columns by falling degree: the null space then comes in that echelon form. Whole numbers: all
+  // residues are multiplied by one number, every component by another.
+  const auto common = [](const std::vector<RationalPolynomial>& all) {
+    fmpz_t denominator;
+    fmpz_init_set_ui(denominator, 1);
+    for (const auto& p : all) fmpz_lcm(denominator, denominator, fmpq_poly_denref(raw(p)));
+    Rational result;
+    fmpz_swap(&raw(result)->num, denominator);
+    fmpz_clear(denominator);
+    return RationalPolynomial(result);
+  };
+  const RationalPolynomial residue_scale = common(residues), scale = common(components);
+  for (RationalPolynomial& residue : residues) residue *= residue_scale;
+  IntegerMatrix equations(components.size() * rho, unknowns);
   for (std::size_t c = 0; c < components.size(); ++c) {
-    const std::vector<Rational> f = components[c].coefficients();
+    const RationalPolynomial whole = scale * components[c];
+    if (whole.is_zero()) continue;
+    const fmpz* f = fmpq_poly_numref(raw(whole));
     for (std::size_t k = 0; k < unknowns; ++k) {
-      RationalPolynomial residue;
-      for (std::size_t i = 0; i < f.size(); ++i) {
-        residue += RationalPolynomial(f[i]) * residues[k + i];
-      }
-      for (std::size_t i = 0; i < rho; ++i) {
-        equations.set_coefficient(c * rho + i, unknowns - 1 - k, residue, i);
+      for (std::size_t i = 0; i <= degree_of(whole); ++i) {
+        const auto length = static_cast<std::size_t>(fmpq_poly_length(raw(residues[k + i])));
+        for (std::size_t r = 0; r < length; ++r) {
+          fmpz_addmul(equations.at(c * rho + r, unknowns - 1 - k), f + i,
+                      fmpq_poly_numref(raw(residues[k + i])) + r);
+        }
       }
     }
   }
