@@ -13,6 +13,7 @@
 #include "arc_spans.hpp"
 #include "hodograph/construction/least_peak_curvature.hpp"
 #include "hodograph/path/bounds.hpp"
+#include "hodograph/path/continuity.hpp"
 
 namespace hodograph {
 namespace {
@@ -96,7 +97,7 @@ std::optional<TurnLimitedPath> first_made(const std::vector<Skeleton>& skeletons
                                           double unit, double turn_radius) {
   for (const Skeleton& skeleton : skeletons) {
     auto path = spans_along(skeleton, pieces, begin, unit);
-    if (!path) continue;
+    if (!path || continuity(*path).position.order() < 1) continue;  // joined by rounding alone
     const double most = curvature_bound(*path);
     if (!keeps(most, turn_radius)) continue;
     return TurnLimitedPath{*std::move(path), skeleton.shape, skeleton.whole_turns,
