@@ -145,7 +145,9 @@ TEST(TurnLimited, ArcsAreWithinTheMarginOfCircles) {
 TEST(TurnLimited, LoitersByWholeTurns) {
   const DirectedPoint begin{{0.0, 0.0}, {1.0, 0.0}}, end{{5.0, 0.0}, {1.0, 0.0}};
   const auto made = turn_limited_path(begin, end, 5.0 + 2.0 * pi * 10.4, 1.0).value();
-  if (made.shape == TurnLimitedShape::loiter) EXPECT_GE(made.whole_turns, 1U);
+  if (made.shape == TurnLimitedShape::loiter) {
+    EXPECT_GE(made.whole_turns, 1U);
+  }
   expect_path(made, {begin, end, 5.0 + 2.0 * pi * 10.4, 1.0});
   const auto same = turn_limited_path(begin, begin, 7.0, 1.0).value();
   expect_path(same, {begin, begin, 7.0, 1.0});
@@ -188,7 +190,9 @@ TEST(TurnLimited, ScalesAndRefusesBadInput) {
     }
     const auto free = shortest_turn_limited_path({{x[0], x[1]}, {x[2], x[3]}},
                                                  {{x[4], x[5]}, {x[6], x[7]}}, x[9], {x[8], 0.25});
-    if (free) EXPECT_TRUE(is_finite(free->path.segments().back().end()));
+    if (free) {
+      EXPECT_TRUE(is_finite(free->path.segments().back().end()));
+    }
   }
 }
 
