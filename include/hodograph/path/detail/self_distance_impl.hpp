@@ -9,6 +9,7 @@
 
 #include "hodograph/path/continuity.hpp"
 #include "hodograph/path/curvature_parts.hpp"
+#include "hodograph/path/self_distance.hpp"
 
 namespace hodograph {
 
