@@ -112,7 +112,7 @@ class Json {
 /// A file of tests/golden/.
 #ifdef HODOGRAPH_SOURCE_DIRECTORY
 inline Json golden_file(const std::string& name) {
-  return Json::of_file(std::string(HODOGRAPH_SOURCE_DIRECTORY) + "/tests/golden/" + name);
+  return Json::of_file(HODOGRAPH_SOURCE_DIRECTORY "/tests/golden/" + name);
 }
 #endif
 
