@@ -165,8 +165,7 @@ std::unique_ptr<Command> frame_command(CLI::App& program) {
       {"hodograph frame loop.json -o frames.csv",
        "hodograph frame loop.json --kind periodic --gamma least --report frame.html -o "
        "frames.csv",
-       "hodograph frame track.json --kind least-twist --begin-normal 0,0,1 --end-normal 0,0,1 "
-       "--format json"});
+       "hodograph frame track.json --kind least-twist --begin-normal 0,0,1 --end-normal 0,0,1"});
   command->note(
       "A row holds xi, arc length, position, roll against the Euler-Rodrigues frame, rotation as "
       "a\n"

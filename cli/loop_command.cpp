@@ -109,7 +109,7 @@ std::unique_ptr<Command> loop_command(CLI::App& program) {
                        "an HTML report with pictures");
   command->examples(
       {"hodograph loop --length 12 --start 0,0,30 --direction 0,1,0 -o loop.json",
-       "hodograph loop --xi 1 --psi-deg 108 --report loop.html",
+       "hodograph loop --xi 1 --psi-deg 108 -o loop.json --report loop.html",
        "hodograph loop --length 4 --near 0.3,1.1,0.4 --free-roll -o - | hodograph inspect -"});
   command->note(
       "The purposes are searched over a grid of the whole range and refined: the value told is\n"

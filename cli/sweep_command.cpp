@@ -161,7 +161,7 @@ std::unique_ptr<Command> sweep_command(CLI::App& program) {
       .one_of({"stl", "obj", "glb", "step"});
   command->option("--report", flags->report, "FILE", "an HTML page with the facts and pictures");
   command->examples(
-      {"hodograph loop --length 10 -o - | hodograph sweep - --circle 0.5 -t 0.01 -o ring.stl",
+      {"hodograph sweep loop.json --circle 0.05 -t 0.001 -o ring.stl",
        "hodograph loop --xi 1 --psi 2 -o - | hodograph sweep - --rectangle 0.02,0.1 -o belt.glb",
        "hodograph spline waypoints.csv -o - | hodograph sweep - --ribbon 0.1,0.1 -o road.obj",
        "hodograph spline waypoints.csv -o - | hodograph sweep - --circle 0.1 --report tube.html"});

@@ -53,8 +53,13 @@ class Bytes {
   std::string buffer_;
 };
 
+/// The nearest numbers of single precision. GCC 12 leaves out pairs of such roundings at -O2, which
+/// a volatile between them keeps it from.
 Vector3<double> rounded(const Vector3<double>& v) {
-  const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  const auto single = [](double x) {
+    volatile float nearest = static_cast<float>(x);
+    return static_cast<double>(nearest);
+  };
   return {single(v.x), single(v.y), single(v.z)};
 }
 

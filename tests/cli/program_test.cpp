@@ -17,9 +17,10 @@ using Json = nlohmann::json;
 
 constexpr const char* curve_23 = "1.5*sin(7.2*t), cos(9*t), exp(cos(1.8*t))";
 
-const std::vector<std::string> commands = {
-    "fit",        "orbit",  "spline", "hermite", "corner",  "loop",  "frame", "plan",  "swarm",
-    "separation", "offset", "sweep",  "sample",  "inspect", "check", "plot",  "batch", "version"};
+const std::vector<std::string> commands = {"fit",        "orbit",  "hermite", "corner", "loop",
+                                           "climb",      "frame",  "sweep",   "plan",   "swarm",
+                                           "separation", "spline", "offset",  "sample", "inspect",
+                                           "check",      "plot",   "batch",   "version"};
 
 /// Fits curve (23) of the PHODCOS paper into curve.json.
 void make_curve(const Program& program) {
@@ -59,9 +60,8 @@ TEST(ProgramHelp, EverySubcommandHasASentenceAUsageAndAnExample) {
 /// Puts the files of examples/ where the program runs.
 void copy_examples(const Program& program) {
   const std::filesystem::path from = std::string(HODOGRAPH_SOURCE_DIRECTORY) + "/examples";
-  for (const char* name : {"track.csv", "waypoints.csv", "route.csv", "harbour.geojson",
-                           "swarm.json", "requests.jsonl"}) {
-    ASSERT_TRUE(std::filesystem::copy_file(from / name, program.path(name)));
+  for (const auto& entry : std::filesystem::directory_iterator(from)) {
+    ASSERT_TRUE(std::filesystem::copy_file(entry.path(), program.path(entry.path().filename())));
   }
 }
 
