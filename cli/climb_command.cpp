@@ -156,14 +156,11 @@ std::unique_ptr<Command> climb_command(CLI::App& program) {
                        "an HTML report with pictures");
   flags->exports.add_to(*command, "1 % of the turn radius, or 1e-4 of the length");
   command->examples(
-      {"hodograph climb --begin 0,0,0 --begin-deg 45 --end 1,0,1.12 --end-deg "
-       "60 --climb-deg 45",
-       "hodograph climb ridge.csv --max-climb-deg 8 --max-descent-deg 12 "
-       "--turn-radius 60 -o "
-       "ridge.json --csv ridge-times.csv --speed 20 --acceleration 2",
-       "hodograph climb ridge.csv --max-climb-deg 8 --turn-radius 60 --datum "
-       "46.5,8.0,600 "
-       "--qgroundcontrol ridge.plan --wpl ridge.waypoints --speed 20"});
+      {"hodograph climb --begin 0,0,0 --begin-deg 45 --end 1,0,1.12 --end-deg 60 --climb-deg 45",
+       "hodograph climb ridge.csv --max-climb-deg 8 --max-descent-deg 12 --turn-radius 60",
+       "hodograph climb ridge.csv --max-climb-deg 8 --speed 20 --acceleration 2 --csv times.csv",
+       "hodograph climb ridge.csv --max-climb-deg 8 --datum 46.5,8,600 --qgroundcontrol "
+       "ridge.plan"});
   command->note(
       "A file may give each waypoint's heading and the climb angle "
       "of the span that begins there:\n"
