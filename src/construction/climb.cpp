@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "end_point_faults.hpp"
 #include "hodograph/construction/detail/length_choice.hpp"
 #include "hodograph/construction/lift.hpp"
 #include "hodograph/path/helix.hpp"
@@ -98,21 +99,6 @@ struct Task {
   bool by_angle = true;
 };
 
-std::optional<Fault> altitude_fault(const HeadedPoint& begin, const HeadedPoint& end) {
-  const double altitudes[] = {begin.position.z, end.position.z};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (!std::isfinite(altitudes[i])) {
-      return Fault{FaultCode::not_finite,
-                   "the altitude of point " + std::to_string(i) + " is not finite",
-                   i,
-                   "position",
-                   std::nullopt,
-                   std::nullopt};
-    }
-  }
-  return std::nullopt;
-}
-
 Task task_between(const HeadedPoint& begin, const HeadedPoint& end) {
   return {{{begin.position.x, begin.position.y}, begin.heading},
           {{end.position.x, end.position.y}, end.heading},
@@ -133,7 +119,7 @@ std::optional<Fault> set_angle(Task& task, double angle) {
 
 std::optional<Fault> task_of_angle(const HeadedPoint& begin, const HeadedPoint& end, double angle,
                                    Task& task) {
-  if (auto fault = altitude_fault(begin, end)) return fault;
+  if (auto fault = planar_detail::altitude_fault(begin, end)) return fault;
   task = task_between(begin, end);
   return set_angle(task, angle);
 }
@@ -203,37 +189,19 @@ Result<std::vector<ClimbSolution>> solve_all(const Task& task, double h, LengthS
 Result<Task> task_about(const Vector3<double>& axis, const DirectedPoint3& begin,
                         const DirectedPoint3& end) {
   if (auto fault = path_detail::axis_fault(axis)) return *std::move(fault);
-  const DirectedPoint3* points[] = {&begin, &end};
+  if (auto fault = planar_detail::directed_points_fault(begin, end)) return *std::move(fault);
   Task task;
   task.upright = turn_upright(axis);
+  const DirectedPoint3* points[] = {&begin, &end};
   Vector3<double> directions[2];
   for (std::size_t i = 0; i < 2; ++i) {
-    const bool place = is_finite(points[i]->position);
-    const char* what = place ? "direction" : "position";
-    if (!place || !is_finite(points[i]->direction)) {
-      return Fault{FaultCode::not_finite,
-                   std::string("the ") + what + " of point " + std::to_string(i) + " is not finite",
-                   i,
-                   what,
-                   std::nullopt,
-                   std::nullopt};
-    }
-    if (largest_component(points[i]->direction) == 0.0) {
-      return Fault{FaultCode::outside_domain,
-                   "the direction of point " + std::to_string(i) +
-                       " is zero; give it a vector with a length",
-                   i,
-                   what,
-                   0.0,
-                   std::nullopt};
-    }
     directions[i] = sandwich(task.upright, unit_axis(points[i]->direction));
     if (std::hypot(directions[i].x, directions[i].y) <= accuracy::join_error<double>()) {
       return Fault{FaultCode::outside_domain,
                    "the direction of point " + std::to_string(i) +
                        " is along the helix axis; a helix has an angle with its axis",
                    i,
-                   what,
+                   "direction",
                    std::nullopt,
                    std::nullopt};
     }
@@ -276,7 +244,7 @@ Result<ClimbCurve> climb_curve(const HeadedPoint& begin, const HeadedPoint& end,
 Result<ClimbCurve> climb_curve_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
                                                 double ground_length, double h,
                                                 LengthSolutions among) {
-  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
+  if (auto fault = planar_detail::altitude_fault(begin, end)) return *std::move(fault);
   Task task = task_between(begin, end);
   task.ground_length = ground_length;
   task.by_angle = false;

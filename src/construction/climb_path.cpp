@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "end_point_faults.hpp"
 #include "hodograph/construction/lift.hpp"
 #include "hodograph/frame/continuity.hpp"
 
@@ -19,20 +20,6 @@ constexpr double quarter_turn = 0.5 * std::numbers::pi;
 
 DirectedPoint over_ground(const HeadedPoint& p) {
   return {{p.position.x, p.position.y}, p.heading};
-}
-
-std::optional<Fault> altitude_fault(const HeadedPoint& begin, const HeadedPoint& end) {
-  const HeadedPoint* points[] = {&begin, &end};
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (std::isfinite(points[i]->position.z)) continue;
-    return Fault{FaultCode::not_finite,
-                 "the altitude of point " + std::to_string(i) + " is not finite",
-                 i,
-                 "position",
-                 std::nullopt,
-                 std::nullopt};
-  }
-  return std::nullopt;
 }
 
 std::optional<Fault> limits_fault(const ClimbLimits& limits) {
@@ -104,7 +91,7 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end, d
 
 Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end,
                              const ClimbLimits& limits, double most_detour) {
-  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
+  if (auto fault = planar_detail::altitude_fault(begin, end)) return *std::move(fault);
   if (auto fault = limits_fault(limits)) return *std::move(fault);
   const double rise = end.position.z - begin.position.z;
   const double limit = rise > 0.0 ? limits.climb_angle : limits.descent_angle;
@@ -133,7 +120,7 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end,
 
 Result<ClimbPath> climb_path_of_ground_length(const HeadedPoint& begin, const HeadedPoint& end,
                                               double ground_length, double turn_radius) {
-  if (auto fault = altitude_fault(begin, end)) return *std::move(fault);
+  if (auto fault = planar_detail::altitude_fault(begin, end)) return *std::move(fault);
   auto plan = turn_limited_path(over_ground(begin), over_ground(end), ground_length, turn_radius);
   if (!plan) return plan.fault();
   return lift(*plan, begin, end.position.z - begin.position.z, ground_length);

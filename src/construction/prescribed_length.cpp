@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "end_point_faults.hpp"
 #include "hodograph/construction/detail/length_choice.hpp"
 #include "hodograph/construction/detail/planar_solution.hpp"
 #include "hodograph/construction/detail/prescribed_length_kernel.hpp"
@@ -35,28 +36,7 @@ Vector2<double> unit_sized(const Vector2<double>& v) {
 
 std::optional<Fault> input_fault(const DirectedPoint& begin, const DirectedPoint& end,
                                  double length, double h) {
-  const DirectedPoint* points[] = {&begin, &end};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const bool place = is_finite(points[i]->position);
-    const char* what = place ? "direction" : "position";
-    if (!place || !is_finite(points[i]->direction)) {
-      return Fault{FaultCode::not_finite,
-                   std::string("the ") + what + " of point " + std::to_string(i) + " is not finite",
-                   i,
-                   what,
-                   std::nullopt,
-                   std::nullopt};
-    }
-    if (largest_component(points[i]->direction) == 0.0) {
-      return Fault{FaultCode::outside_domain,
-                   "the direction of point " + std::to_string(i) +
-                       " is zero; give it a vector with a length",
-                   i,
-                   what,
-                   0.0,
-                   std::nullopt};
-    }
-  }
+  if (auto fault = directed_points_fault(begin, end)) return fault;
   const bool bad_length = !(std::isfinite(length) && length > 0.0);
   if (bad_length || !(std::isfinite(h) && h > 0.0)) {
     const double value = bad_length ? length : h;
