@@ -56,14 +56,23 @@ template <std::size_t count>
   cosine = P(1.0) + z * polynomial<8>(c.data(), z, z2, z4);
 }
 
+typedef double Four __attribute__((vector_size(32)));
+/// The numbers at four places of a and b, one after the other.
+template <int... places>
+[[gnu::always_inline]] inline Four picked(const Four& a, const Four& b) {
+#if defined(__clang__)
+  return __builtin_shufflevector(a, b, places...);
+#else
+  return __builtin_shuffle(a, b, decltype(Four{} < Four{}){places...});
+#endif
+}
+
 /// Stores the lanes of 9 packs as rows of 9 numbers: blocks of four by four are turned round in
 /// registers where there are enough lanes.
-typedef double Four __attribute__((vector_size(32)));
 [[gnu::always_inline]] inline void store_rows(double* to, const std::array<P, 9>& from) {
   alignas(64) double columns[9][lanes];
   for (std::size_t k = 0; k < 9; ++k) from[k].store(columns[k]);
   if constexpr (lanes % 4 == 0) {
-    using Indices = decltype(Four{} < Four{});
 #pragma GCC unroll 2
     for (std::size_t i = 0; i < lanes; i += 4) {
 #pragma GCC unroll 2
@@ -72,14 +81,13 @@ typedef double Four __attribute__((vector_size(32)));
         for (std::size_t j = 0; j < 4; ++j) {
           __builtin_memcpy(&row[j], &columns[k + j][i], sizeof(Four));
         }
-        const Four low01 = __builtin_shuffle(row[0], row[1], Indices{0, 4, 2, 6});
-        const Four high01 = __builtin_shuffle(row[0], row[1], Indices{1, 5, 3, 7});
-        const Four low23 = __builtin_shuffle(row[2], row[3], Indices{0, 4, 2, 6});
-        const Four high23 = __builtin_shuffle(row[2], row[3], Indices{1, 5, 3, 7});
-        const Four turned[4] = {__builtin_shuffle(low01, low23, Indices{0, 1, 4, 5}),
-                                __builtin_shuffle(high01, high23, Indices{0, 1, 4, 5}),
-                                __builtin_shuffle(low01, low23, Indices{2, 3, 6, 7}),
-                                __builtin_shuffle(high01, high23, Indices{2, 3, 6, 7})};
+        const Four low01 = picked<0, 4, 2, 6>(row[0], row[1]);
+        const Four high01 = picked<1, 5, 3, 7>(row[0], row[1]);
+        const Four low23 = picked<0, 4, 2, 6>(row[2], row[3]);
+        const Four high23 = picked<1, 5, 3, 7>(row[2], row[3]);
+        const Four turned[4] = {
+            picked<0, 1, 4, 5>(low01, low23), picked<0, 1, 4, 5>(high01, high23),
+            picked<2, 3, 6, 7>(low01, low23), picked<2, 3, 6, 7>(high01, high23)};
         for (std::size_t j = 0; j < 4; ++j) {
           __builtin_memcpy(to + 9 * (i + j) + k, &turned[j], sizeof(Four));
         }
