@@ -62,7 +62,8 @@ std::vector<Group> groups_of(const Skeleton& skeleton, const ArcPieces& pieces) 
     if (std::abs(move.angle) <= rounding) continue;
     const double count =
         std::max(1.0, std::ceil(std::abs(move.angle) / pieces.longest * (1.0 - rounding)));
-    for (double i = 0.0; i < count; ++i) add({move.angle / count, 0.0});
+    const auto arcs = static_cast<std::size_t>(count);
+    for (std::size_t i = 0; i < arcs; ++i) add({move.angle / count, 0.0});
   }
   if (groups.empty() && !open.empty()) groups.emplace_back();
   if (!open.empty()) groups.back().insert(groups.back().end(), open.begin(), open.end());

@@ -385,7 +385,7 @@ class Search {
       if (is_free_[j]) place[j] += by[j];
     }
     place[0] = std::clamp(place[0], -limit_, limit_);
-    for (const std::size_t j : {1, 2}) place[j] = std::remainder(place[j], 2.0 * pi);
+    for (std::size_t j = 1; j <= 2; ++j) place[j] = std::remainder(place[j], 2.0 * pi);
     return place;
   }
 
