@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hodograph/planning/world.hpp"
-#include "support/measure.hpp"
+#include "measure.hpp"
 
 namespace hodograph::bench {
 
