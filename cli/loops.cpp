@@ -67,7 +67,7 @@ std::optional<LoopWish> wish_of(const LoopRequest& request) {
   return wish;
 }
 
-const char* name_of(TubeLimit limit) {
+const char* told(TubeLimit limit) {
   switch (limit) {
     case TubeLimit::curvature:
       return "where it is most curved";
@@ -177,7 +177,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeLoop& loop) {
   rows.emplace_back(
       "Tube", facts.tube.radius.upper() > 0.0 && facts.tube.radius.lower() > 0.0
                   ? "radius up to " + to_six_digits(facts.tube.radius.lower()) + ", limited " +
-                        name_of(facts.tube.limit)
+                        told(facts.tube.limit)
                   : std::string("none: the loop ") + (facts.tube.limit == TubeLimit::distance
                                                           ? "meets itself within rounding"
                                                           : "stands still where it closes"));

@@ -180,30 +180,12 @@ std::optional<StepAnswer> write_sweep(const MadeSweep& made, const SweepRequest&
   return std::nullopt;
 }
 
-namespace {
-
-const char* limit_word(TubeLimit limit) {
-  switch (limit) {
-    case TubeLimit::curvature:
-      return "curvature";
-    case TubeLimit::distance:
-      return "distance";
-    case TubeLimit::corner:
-      return "corner";
-    case TubeLimit::standstill:
-      break;
-  }
-  return "standstill";
-}
-
-}  // namespace
-
 Json json_of(const MadeSweep& made, const MeasuredMesh& mesh) {
   const MeshFacts& facts = mesh.facts;
   Json json;
   json["frame"] = made.frame;
   if (made.gamma) json["gamma"] = *made.gamma;
-  json["tube"] = {{"radius", json_of(made.tube.radius)}, {"limit", limit_word(made.tube.limit)}};
+  json["tube"] = {{"radius", json_of(made.tube.radius)}, {"limit", name_of(made.tube.limit)}};
   json["outer_radius"] = outer_radius(made.sweep);
   json["certainly_free_of_contact"] = made.certainly_free;
   json["mesh"] = {{"tolerance", made.tolerance},
@@ -246,7 +228,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
                     made.tube.radius.upper() == std::numeric_limits<double>::infinity()
                         ? "any"
                         : to_six_digits(radius) + in_unit + ", limited by " +
-                              limit_word(made.tube.limit) + ", certified");
+                              name_of(made.tube.limit) + ", certified");
   rows.emplace_back("Contact with itself",
                     made.certainly_free
                         ? "none, certified: within " + to_six_digits(outer_radius(made.sweep)) +

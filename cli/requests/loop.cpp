@@ -12,20 +12,6 @@ Json json_of_extremes(const Extremes& extremes) {
   return {{"minimum", json_of(extremes.minimum)}, {"maximum", json_of(extremes.maximum)}};
 }
 
-const char* word_of(TubeLimit limit) {
-  switch (limit) {
-    case TubeLimit::curvature:
-      return "curvature";
-    case TubeLimit::distance:
-      return "distance";
-    case TubeLimit::corner:
-      return "corner";
-    case TubeLimit::standstill:
-      return "standstill";
-  }
-  return "";
-}
-
 }  // namespace
 
 Answer answer_loop(Members& request) {
@@ -80,7 +66,7 @@ Answer answer_loop(Members& request) {
   answer.result["torsion"] = json_of_extremes(facts.torsion);
   answer.result["bending_energy"] = facts.energy ? json_of(*facts.energy) : Json();
   answer.result["tube_radius"] = json_of(facts.tube.radius);
-  answer.result["tube_limit"] = word_of(facts.tube.limit);
+  answer.result["tube_limit"] = name_of(facts.tube.limit);
   if (loop.chosen) {
     Json& chosen = answer.result["chosen"];
     chosen = {{"value", json_of(loop.chosen->value)},

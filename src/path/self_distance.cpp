@@ -390,3 +390,21 @@ Fault no_such_parts(double separation, double length, bool closed) {
 }
 
 }  // namespace hodograph::path_detail
+
+namespace hodograph {
+
+const char* name_of(TubeLimit limit) {
+  switch (limit) {
+    case TubeLimit::curvature:
+      return "curvature";
+    case TubeLimit::distance:
+      return "distance";
+    case TubeLimit::corner:
+      return "corner";
+    case TubeLimit::standstill:
+      break;
+  }
+  return "standstill";
+}
+
+}  // namespace hodograph

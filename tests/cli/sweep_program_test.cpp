@@ -66,16 +66,12 @@ TEST(ProgramSweep, WritesEveryMeshFormatAndAPage) {
   EXPECT_GT(volume, pi * 0.25 * 2 - tolerance * 2 * pi * 0.5 * 2);
 }
 
-TEST(ProgramSweep, WritesStepWhereItCan) {
+TEST(ProgramSweep, WritesStep) {
   const Program program;
   write_text(program.path("path.json"), straight);
   const Outcome outcome =
       program.run({"sweep", "path.json", "--polygon", "0,0,1,0,1,1,0.5,0.2", "-o", "bar.step"});
-  if (outcome.err.find("without OpenCASCADE") != std::string::npos) {
-    EXPECT_EQ(outcome.code, 2);
-    GTEST_SKIP() << "built without OpenCASCADE";
-  }
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("6 faces, exact, degree 1 along and 1 round"), std::string::npos)
       << outcome.out;
   const std::string text = text_of_file(program.path("bar.step"));

@@ -56,7 +56,7 @@ Vector3<double> by_definition(const GeodeticPoint& place, const GeodeticPoint& d
 double distance(const Vector3<double>& a, const Vector3<double>& b) { return norm(a - b); }
 
 TEST(Geodesy, TakesMetresToDegreesAndBack) {
-  if (!has_geodesy()) GTEST_SKIP() << "this build has no GeographicLib";
+  ASSERT_TRUE(has_geodesy()) << "the tests need GeographicLib (libgeographiclib-dev)";
   Random random("metres to degrees and back");
   for (int i = 0; i < 400; ++i) {
     const GeodeticPoint datum{random.uniform(-90, 90), random.uniform(-180, 180),
@@ -81,7 +81,7 @@ TEST(Geodesy, TakesMetresToDegreesAndBack) {
 }
 
 TEST(Geodesy, KnowsThePolesAndTheDateLine) {
-  if (!has_geodesy()) GTEST_SKIP() << "this build has no GeographicLib";
+  ASSERT_TRUE(has_geodesy()) << "the tests need GeographicLib (libgeographiclib-dev)";
   for (const GeodeticPoint& datum :
        {GeodeticPoint{90, 0, 0}, {-90, 30, 0}, {0, 180, 0}, {12, -180, 5}}) {
     const auto plane = LocalTangentPlane::create(datum);
@@ -260,7 +260,7 @@ TEST(Mission, RefusesWhatNoFileCanHold) {
 }
 
 TEST(Mission, FollowsAPathWithinItsChordTolerance) {
-  if (!has_geodesy()) GTEST_SKIP() << "this build has no GeographicLib";
+  ASSERT_TRUE(has_geodesy()) << "the tests need GeographicLib (libgeographiclib-dev)";
   Random random("missions along paths");
   const auto follow = [&](const auto& path, double tolerance) {
     constexpr double altitude = 30.0;
@@ -305,7 +305,7 @@ TEST(Mission, FollowsAPathWithinItsChordTolerance) {
 }
 
 TEST(Mission, NamesTheWaypointThatHasNoPlace) {
-  if (!has_geodesy()) GTEST_SKIP() << "this build has no GeographicLib";
+  ASSERT_TRUE(has_geodesy()) << "the tests need GeographicLib (libgeographiclib-dev)";
   const auto refuse = [](const LocalWaypoint& waypoint, FaultCode code) {
     const LocalWaypoint waypoints[] = {{{1, 2, 3}, 4.0}, waypoint};
     const auto result = mission(waypoints, zurich);

@@ -59,6 +59,9 @@ enum class TubeLimit {
   standstill  ///< the speed may vanish, and the curvature is not bounded
 };
 
+/// "curvature", "distance", "corner", "standstill".
+const char* name_of(TubeLimit limit);
+
 /// The largest radius of a tube round a path, and what limits it.
 struct TubeRadius {
   /// Contains the reach R above; [largest double, ∞) for a straight path.
