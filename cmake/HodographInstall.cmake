@@ -39,6 +39,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/package/hodographConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindFLINT.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindIpopt.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindOpenCASCADE.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindGeographicLib.cmake"
   DESTINATION "${package_directory}")

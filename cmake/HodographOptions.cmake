@@ -13,7 +13,7 @@ else()
   set(hodograph_default_with OFF)
 endif()
 
-foreach(name PLANNING CERTIFY RATIONAL ORBIT IO GEODESY CAD PROGRAM)
+foreach(name PLANNING CERTIFY RATIONAL ORBIT CONTROL IO GEODESY CAD PROGRAM)
   set(HODOGRAPH_WITH_${name} ${hodograph_default_with} CACHE STRING
       "Build this component (GEODESY: this part of io): AUTO, ON or OFF")
   set_property(CACHE HODOGRAPH_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
@@ -55,6 +55,7 @@ function(hodograph_summary)
     message(STATUS "Hodograph ${PROJECT_VERSION} (${CMAKE_BUILD_TYPE}): core on"
                    ", planning ${hodograph_note_planning}"
                    ", certify ${hodograph_note_certify}, rational ${hodograph_note_rational}, orbit ${hodograph_note_orbit}"
+                   ", control ${hodograph_note_control}"
                    ", io ${hodograph_note_io}, geodesy ${hodograph_note_geodesy}, cad ${hodograph_note_cad}"
                    ", program ${hodograph_note_program}")
   endif()
