@@ -53,33 +53,6 @@ Fault wrong_way(double angle, double rise) {
           0.0};
 }
 
-/// The refusal of a plan in terms of the climb.
-Fault in_terms_of_climb(Fault fault, double rise, double ground_length) {
-  if (fault.code != FaultCode::no_interpolant || !fault.value || !fault.bound) return fault;
-  const double slope = std::abs(rise) / ground_length;
-  const std::string asked = std::string(rise > 0.0 ? "climb" : "descent") + " angle " +
-                            to_text(std::atan(rise / ground_length)) + " rad ";
-  const std::string what = rise > 0.0 ? " of climb" : " of descent";
-  const double climbed = std::abs(rise);
-  if (fault.quantity == "length") {
-    const double chord = *fault.bound;
-    fault.bound = chord * slope;
-    fault.sentence = asked + "needs at least " + to_text(*fault.bound) + what +
-                     " between points that are " + to_text(chord) + " apart over ground; got " +
-                     to_text(climbed);
-  } else if (fault.quantity == "direction") {
-    fault.bound = climbed;
-    fault.sentence = asked + "with " + to_text(climbed) + what +
-                     " is a straight line; a heading is off that line by " + to_text(*fault.value) +
-                     " rad. It needs more than " + to_text(climbed) + what;
-  } else {
-    return fault;
-  }
-  fault.quantity = "climb";
-  fault.value = climbed;
-  return fault;
-}
-
 Fault out_of_range() {
   return {FaultCode::no_interpolant,
           "the climb's numbers are too large, or the parameter step is too small for them, to be "
@@ -96,7 +69,7 @@ struct Task {
   Vector3<double> start;
   Quaternion<double> upright = no_turn;
   double rise = 0.0, ground_length = 0.0;
-  bool by_angle = true;
+  double slope = 0.0;  ///< tan θ where the angle gives the length over ground; else 0
 };
 
 Task task_between(const HeadedPoint& begin, const HeadedPoint& end) {
@@ -106,13 +79,14 @@ Task task_between(const HeadedPoint& begin, const HeadedPoint& end) {
           no_turn,
           end.position.z - begin.position.z,
           0.0,
-          true};
+          0.0};
 }
 
 std::optional<Fault> set_angle(Task& task, double angle) {
   if (!(std::abs(angle) < quarter_turn) || angle == 0.0) return angle_fault(angle);
   if (task.rise == 0.0 || (task.rise > 0.0) != (angle > 0.0)) return wrong_way(angle, task.rise);
-  task.ground_length = task.rise / std::tan(angle);
+  task.slope = std::tan(angle);
+  task.ground_length = task.rise / task.slope;
   if (!std::isfinite(task.ground_length)) return out_of_range();
   return std::nullopt;
 }
@@ -147,9 +121,45 @@ bool is_usable(const SpatialPhCurve<2>& curve) {
   return is_finite(curve.end()) && is_finite(curve.arc_length()) && curve.arc_length() > 0.0;
 }
 
+/// The refusal of a plan in terms of the climb. The climb named is tried with these altitudes: the
+/// straight line's, or where a heading is off that line a little more.
 Fault explained(Fault fault, const Task& task) {
-  return task.by_angle ? in_terms_of_climb(std::move(fault), task.rise, task.ground_length)
-                       : std::move(fault);
+  const bool direction = fault.quantity == "direction";
+  if (task.slope == 0.0 || fault.code != FaultCode::no_interpolant || !fault.value ||
+      !(direction || (fault.quantity == "length" && fault.bound))) {
+    return fault;
+  }
+  const double climbed = std::abs(task.rise), slope = std::abs(task.slope);
+  const double chord = direction ? task.ground_length : *fault.bound, least = chord * slope;
+  const bool straight = prescribed_length_curve(task.begin, task.end, chord).has_value();
+  const bool level = task.upright == no_turn;  // altitudes round, heights along an axis do not
+  constexpr double rounded = 4.0 * epsilon<double>(), little = 0x1.0p-20;
+  double bound = least;
+  for (const double excess : {straight ? 0.0 : little, straight ? rounded : little, 0x1.0p-10}) {
+    const double more = std::copysign(least * (1.0 + excess), task.rise);
+    bound = std::abs(level ? (task.start.z + more) - task.start.z : more);
+    if (prescribed_length_curve(task.begin, task.end, bound / slope)) break;
+  }
+  const std::string what = task.rise > 0.0 ? " of climb" : " of descent";
+  const std::string asked = std::string(task.rise > 0.0 ? "climb" : "descent") + " angle " +
+                            to_text(std::atan(task.slope)) + " rad ";
+  if (direction) {
+    fault.sentence = asked + "with " + to_text(climbed) + what +
+                     " is a straight line; a heading is off that line by " + to_text(*fault.value) +
+                     " rad. It needs more " + (task.rise > 0.0 ? "climb (" : "descent (") +
+                     to_text(bound) + " will do)";
+  } else {
+    fault.sentence =
+        asked + "needs " +
+        (straight ? "at least " + to_text(bound) + what
+                  : "more than " + to_text(least) + what + " (" + to_text(bound) + " will do)") +
+        " between points that are " + to_text(chord) + " apart over ground; got " +
+        to_text(climbed);
+  }
+  fault.quantity = "climb";
+  fault.value = climbed;
+  fault.bound = bound;
+  return fault;
 }
 
 Result<ClimbCurve> solve(const Task& task, double h, LengthSolutions among) {
@@ -228,7 +238,8 @@ Result<Task> task_about(const Vector3<double>& axis, const DirectedPoint3& begin
   const double angle = std::atan2(up, level);
   if (std::abs(up) <= accuracy::join_error<double>()) return angle_fault(0.0);
   if (!(way.z * up > 0.0)) return wrong_way(angle, way.z);
-  task.ground_length = way.z * (level / up);
+  task.slope = up / level;
+  task.ground_length = way.z / task.slope;
   return task;
 }
 
@@ -247,7 +258,6 @@ Result<ClimbCurve> climb_curve_of_ground_length(const HeadedPoint& begin, const 
   if (auto fault = planar_detail::altitude_fault(begin, end)) return *std::move(fault);
   Task task = task_between(begin, end);
   task.ground_length = ground_length;
-  task.by_angle = false;
   return solve(task, h, among);
 }
 

@@ -38,20 +38,40 @@ std::optional<Fault> limits_fault(const ClimbLimits& limits) {
   return std::nullopt;
 }
 
-/// A plan's refusal in terms of the climb.
-Fault in_terms_of_climb(Fault fault, double rise, double ground_length, double angle,
+/// Whether a path with this climb exists; the climb is the altitudes' own.
+bool is_met(const HeadedPoint& begin, const HeadedPoint& end, double rise, double angle,
+            double turn_radius) {
+  return turn_limited_path(over_ground(begin), over_ground(end), rise / std::tan(angle),
+                           turn_radius)
+      .has_value();
+}
+
+/// A plan's refusal in terms of the climb. The climb named is tried with these altitudes.
+Fault in_terms_of_climb(Fault fault, const HeadedPoint& begin, const HeadedPoint& end, double angle,
                         double turn_radius) {
   if (fault.code != FaultCode::no_interpolant || fault.quantity != "length" || !fault.bound) {
     return fault;
   }
-  const double bound = *fault.bound * (std::abs(rise) / ground_length);
+  const double rise = end.position.z - begin.position.z;
+  const double slope = std::abs(std::tan(angle)), least = *fault.bound * slope;
+  double bound = least;
+  for (const double excess : {0.0, 0x1.0p-40, 0x1.0p-30, 0x1.0p-20, 0x1.0p-10}) {
+    const double more = std::copysign(least * (1.0 + excess), rise);
+    const double risen = (begin.position.z + more) - begin.position.z;  // as altitudes round
+    bound = std::abs(risen);
+    if (is_met(begin, end, risen, angle, turn_radius)) break;
+  }
   const bool between = fault.sentence.find("whole turns") != std::string::npos;
+  const bool more_than = fault.sentence.find("more than") != std::string::npos;
   const std::string what = rise > 0.0 ? " of climb" : " of descent";
-  fault.sentence = std::string(rise > 0.0 ? "climb" : "descent") + " angle " + to_text(angle) +
-                   " rad with a turn radius of " + to_text(turn_radius) +
-                   (between ? " is met with less, or from " : " needs at least ") + to_text(bound) +
-                   what + (between ? " on, with a whole turn" : "") +
-                   " between these points and headings; got " + to_text(std::abs(rise));
+  fault.sentence =
+      std::string(rise > 0.0 ? "climb" : "descent") + " angle " + to_text(angle) +
+      " rad with a turn radius of " + to_text(turn_radius) +
+      (between     ? " is met with less, or with a whole turn by " + to_text(bound) + what + ","
+       : more_than ? std::string(" needs more ") + (rise > 0.0 ? "climb (" : "descent (") +
+                         to_text(bound) + " will do)"
+                   : " needs at least " + to_text(bound) + what) +
+      " between these points and headings; got " + to_text(std::abs(rise));
   fault.quantity = "climb";
   fault.value = std::abs(rise);
   fault.bound = bound;
@@ -84,7 +104,7 @@ Result<ClimbPath> climb_path(const HeadedPoint& begin, const HeadedPoint& end, d
   const double ground_length = rise / std::tan(climb_angle);
   auto plan = turn_limited_path(over_ground(begin), over_ground(end), ground_length, turn_radius);
   if (!plan) {
-    return in_terms_of_climb(plan.fault(), rise, ground_length, climb_angle, turn_radius);
+    return in_terms_of_climb(plan.fault(), begin, end, climb_angle, turn_radius);
   }
   return lift(*plan, begin, rise, ground_length);
 }

@@ -106,31 +106,73 @@ std::optional<TurnLimitedPath> first_made(const std::vector<Skeleton>& skeletons
   return std::nullopt;
 }
 
-Fault not_reached(const Ends& ends, double length, double unit, double turn_radius) {
-  const double shortest = shortest_word(ends), every = loiter_length(ends);
-  constexpr double safe = 1.0 + 4.0 * rounding;
-  if (length < shortest) {
-    const double bound = unit * shortest * safe;
-    return {FaultCode::no_interpolant,
-            "a turn radius of " + to_text(turn_radius) + " needs a length of at least " +
-                to_text(bound) + " between these points and directions; got " +
-                to_text(unit * length),
-            std::nullopt,
-            "length",
-            unit * length,
-            bound};
+/// The path of a length, where the data are not at fault.
+std::optional<TurnLimitedPath> made_of_length(const DirectedPoint& begin, const DirectedPoint& end,
+                                              double length, double turn_radius) {
+  const auto any = prescribed_length_curve(begin, end, length);
+  const bool too_short = !any && any.fault().quantity == "length";
+  if (too_short) return std::nullopt;
+  const double unit = unit_of(begin, end, length, turn_radius);
+  const double scaled = length / unit;
+  const Ends ends = ends_of(begin, end, turn_radius, coarse_pieces, unit);
+  const bool far_longer =
+      scaled > loiter_beyond * shortest_word(ends) && scaled >= loiter_length(ends);
+  if (far_longer) {
+    auto made = first_made(with_whole_turns(ends, scaled), coarse_pieces, begin, unit, turn_radius);
+    if (made) return made;
   }
-  const double bound = unit * every * safe;
-  return {FaultCode::no_interpolant,
-          "a length of " + to_text(unit * length) + " with a turn radius of " +
-              to_text(turn_radius) +
-              " is too long for a path without whole turns and too short for one with them; every "
-              "length from " +
-              to_text(bound) + " on is met",
-          std::nullopt,
-          "length",
-          unit * length,
-          bound};
+  if (any) {
+    if (auto found = one_span(begin, end, length, turn_radius)) return found;
+  }
+  for (const ArcPieces& pieces : {coarse_pieces, fine_pieces}) {
+    const Ends these = ends_of(begin, end, turn_radius, pieces, unit);
+    for (const auto& skeletons : {without_whole_turns, with_whole_turns}) {
+      auto made = first_made(skeletons(these, scaled), pieces, begin, unit, turn_radius);
+      if (made) return made;
+    }
+  }
+  return std::nullopt;
+}
+
+/// What to say of a length that is not reached, and the length that is: the shortest, or one a
+/// little above it where rounding decides about the shortest, or the first with a whole turn. The
+/// length named is tried.
+Fault not_reached(const DirectedPoint& begin, const DirectedPoint& end, double length,
+                  double turn_radius) {
+  const Vector2<double> way = end.position - begin.position;
+  const double chord = std::hypot(way.x, way.y);
+  const double unit = unit_of(begin, end, std::max(length, chord), turn_radius);
+  const Ends ends = ends_of(begin, end, turn_radius, fine_pieces, unit);
+  constexpr double safe = 1.0 + 4.0 * rounding;
+  const double shortest = safe * std::max(unit * shortest_word(ends), chord);
+  const double every = safe * unit * loiter_length(ends);
+  std::vector<double> tried;
+  for (const double least : {shortest, every}) {
+    for (const double excess : {0.0, 0x1.0p-40, 0x1.0p-30, 0x1.0p-20, 0x1.0p-10}) {
+      if (least * (1.0 + excess) > length) tried.push_back(least * (1.0 + excess));
+    }
+  }
+  std::stable_sort(tried.begin(), tried.end());
+  const auto met = std::find_if(tried.begin(), tried.end(), [&](double some) {
+    return made_of_length(begin, end, some, turn_radius).has_value();
+  });
+  const double bound = met != tried.end() ? *met : every;
+  const bool too_short = length < shortest;
+  const std::string radius = "a turn radius of " + to_text(turn_radius);
+  std::string sentence;
+  if (too_short && bound == shortest) {
+    sentence = radius + " needs a length of at least " + to_text(bound) +
+               " between these points and directions; got " + to_text(length);
+  } else if (too_short) {
+    sentence = radius + " needs a length of more than " + to_text(shortest) +
+               " between these points and directions (" + to_text(bound) + " will do); got " +
+               to_text(length);
+  } else {
+    sentence = "a length of " + to_text(length) + " with " + radius +
+               " is too long for a path without whole turns and too short for one with them; " +
+               to_text(bound) + " will do";
+  }
+  return {FaultCode::no_interpolant, sentence, std::nullopt, "length", length, bound};
 }
 
 }  // namespace
@@ -145,34 +187,9 @@ Result<TurnLimitedPath> turn_limited_path(const DirectedPoint& begin, const Dire
   }
   // Whatever is wrong with the data is wrong here, too.
   const auto any = prescribed_length_curve(begin, end, length);
-  const bool too_short =
-      !any && any.fault().quantity == "length" && any.fault().code == FaultCode::no_interpolant;
   if (!any && any.fault().code != FaultCode::no_interpolant) return any.fault();
-  const double unit = unit_of(begin, end, length, turn_radius);
-  const double scaled = length / unit;
-  const Ends ends = ends_of(begin, end, turn_radius, coarse_pieces, unit);
-  if (!too_short) {
-    const bool far_longer =
-        scaled > loiter_beyond * shortest_word(ends) && scaled >= loiter_length(ends);
-    if (far_longer) {
-      auto made =
-          first_made(with_whole_turns(ends, scaled), coarse_pieces, begin, unit, turn_radius);
-      if (made) return *std::move(made);
-    }
-    if (any) {
-      if (auto found = one_span(begin, end, length, turn_radius)) return *std::move(found);
-    }
-  }
-  for (const ArcPieces& pieces : {coarse_pieces, fine_pieces}) {
-    if (too_short) break;
-    const Ends these = ends_of(begin, end, turn_radius, pieces, unit);
-    for (const auto& skeletons : {without_whole_turns, with_whole_turns}) {
-      auto made = first_made(skeletons(these, scaled), pieces, begin, unit, turn_radius);
-      if (made) return *std::move(made);
-    }
-  }
-  return not_reached(ends_of(begin, end, turn_radius, fine_pieces, unit), scaled, unit,
-                     turn_radius);
+  if (auto made = made_of_length(begin, end, length, turn_radius)) return *std::move(made);
+  return not_reached(begin, end, length, turn_radius);
 }
 
 Result<TurnLimitedPath> shortest_turn_limited_path(const DirectedPoint& begin,
@@ -208,7 +225,7 @@ Result<TurnLimitedPath> shortest_turn_limited_path(const DirectedPoint& begin,
   std::stable_sort(words.begin(), words.end(),
                    [](const Skeleton& a, const Skeleton& b) { return a.length() < b.length(); });
   const auto arcs = first_made(words, coarse_pieces, begin, unit, turn_radius);
-  if (!arcs) return not_reached(ends, std::max(least, chord) / unit, unit, turn_radius);
+  if (!arcs) return not_reached(begin, end, std::max(least, chord), turn_radius);
   const double length = arcs->path.arc_length();
   // One quintic, from the least length (a little more than the distance) to the arcs' and the
   // detour: the first of a grid that keeps the radius, then bisected.

@@ -76,6 +76,30 @@ TEST(ClimbPath, SaysWhichClimbWouldDo) {
   higher.position.z = *found.fault().bound;
   EXPECT_TRUE(climb_path(begin, higher, 0.2, 2.0));
 
+  // Found by the campaign: the shortest arcs fall short of the distance by rounding; arcs whose
+  // curvature rounding decides, so that a little more descent is named.
+  const HeadedPoint ahead{{0.0, 0.0, 0.0}, {1.0, 0.0}};
+  HeadedPoint beyond{{0.038155073705738625, 0.0, 1.9e-5}, {1.0, 0.0}};
+  HeadedPoint turned_round{{7.8940779772669103, 1.316765619356957, 8.4049939002685008},
+                           {-0.96674830774661025, -0.25572975866931363}};
+  HeadedPoint below{{7.8940779772669103, 1.316765619356957, 8.0942167037027932},
+                    {-0.96674830528885414, -0.25572976796049485}};
+  const struct {
+    HeadedPoint first, last;
+    double angle, radius;
+    const char* what;
+  } found_by_campaign[] = {
+      {ahead, beyond, 0.00074831783725421287, 3.4558019309093666, "needs at least"},
+      {turned_round, below, -1.1726618927807413, 0.19014306789194285, "needs more descent ("}};
+  for (const auto& c : found_by_campaign) {
+    const auto refused = climb_path(c.first, c.last, c.angle, c.radius);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.fault().sentence.find(c.what), std::string::npos);
+    HeadedPoint named = c.last;
+    named.position.z = c.first.position.z + std::copysign(*refused.fault().bound, c.angle);
+    EXPECT_TRUE(climb_path(c.first, named, c.angle, c.radius)) << refused.fault().sentence;
+  }
+
   const auto unable = climb_path(begin, end, ClimbLimits{0.0, 0.3, 1.0});
   ASSERT_FALSE(unable);
   EXPECT_EQ(unable.fault().code, FaultCode::no_interpolant);

@@ -347,13 +347,24 @@ TEST(Climb, SaysWhatWouldBeFeasible) {
   ASSERT_FALSE(steep);
   EXPECT_EQ(steep.fault().code, FaultCode::no_interpolant);
   EXPECT_EQ(steep.fault().quantity, "climb");
-  EXPECT_CLOSE(*steep.fault().bound, 5.0 * std::tan(0.9), 8.0, 6.3);
-  EXPECT_EQ(steep.fault().sentence.substr(0, 41), "climb angle 0.9 rad needs at least 6.3007");
+  // The headings are off the straight line: the climb named is a little more than that line's.
+  EXPECT_GT(*steep.fault().bound, 5.0 * std::tan(0.9));
+  EXPECT_LE(*steep.fault().bound, 5.0 * std::tan(0.9) * (1.0 + 0x1.0p-19));
+  EXPECT_EQ(steep.fault().sentence.substr(0, 42), "climb angle 0.9 rad needs more than 6.3007");
   EXPECT_NE(steep.fault().sentence.find("got 1"), std::string::npos);
   HeadedPoint higher = end;
-  constexpr double a_little = 1.0 + 0x1.0p-40;  // more than rounding: a straight line is excluded
-  higher.position.z = *steep.fault().bound * a_little;
+  higher.position.z = *steep.fault().bound;
   EXPECT_TRUE(climb_curve(begin, higher, 0.9));
+  // Headings along the line: the line itself, from an altitude that rounds the climb, too.
+  for (const double altitude : {0.0, 1000.0 / 3.0, -0x1.0p+30 / 3.0}) {
+    const HeadedPoint low{{0.0, 0.0, altitude}, {3.0, 4.0}};
+    const auto along = climb_curve(low, HeadedPoint{{3.0, 4.0, altitude + 1.0}, {3.0, 4.0}}, 0.9);
+    ASSERT_FALSE(along);
+    EXPECT_NE(along.fault().sentence.find(altitude == 0.0 ? "needs at least 6.3007" : "needs"),
+              std::string::npos);
+    EXPECT_TRUE(climb_curve(
+        low, HeadedPoint{{3.0, 4.0, altitude + *along.fault().bound}, {3.0, 4.0}}, 0.9));
+  }
 
   const struct {
     double angle, altitude;
@@ -388,7 +399,9 @@ TEST(Climb, SaysWhatWouldBeFeasible) {
   const auto straight = climb_curve({{0.0, 0.0, 0.0}, {1.0, 0.1}}, far, chord_angle);
   ASSERT_FALSE(straight);
   EXPECT_EQ(straight.fault().quantity, "climb");
-  EXPECT_CLOSE(*straight.fault().bound, 2.5, 8.0, 2.5);
+  EXPECT_NE(straight.fault().sentence.find("It needs more climb (2.50000"), std::string::npos);
+  EXPECT_TRUE(climb_curve({{0.0, 0.0, 0.0}, {1.0, 0.1}},
+                          {{3.0, 4.0, *straight.fault().bound}, far.heading}, chord_angle));
   EXPECT_TRUE(climb_curve({{0.0, 0.0, 0.0}, {3.0, 4.0}}, far, chord_angle));
   const auto unequal = helical_curve({0.0, 0.0, 1.0}, {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.5}},
                                      {{1.0, 1.0, 1.0}, {1.0, 0.0, 0.6}});
@@ -406,7 +419,7 @@ TEST(Climb, SaysWhatWouldBeFeasible) {
   const auto fault = climb_curves(problems, answers);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->index, 70U);
-  EXPECT_EQ(fault->sentence.substr(0, 40), "problem 70: climb angle 0.9 rad needs at");
+  EXPECT_EQ(fault->sentence.substr(0, 42), "problem 70: climb angle 0.9 rad needs more");
 }
 
 TEST(Climb, HostileNumbersGiveNoNan) {

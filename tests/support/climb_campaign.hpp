@@ -153,8 +153,7 @@ inline std::string complaint_about(const Fault& fault, const ClimbRequest& r,
   const double shortest = r.limits.turn_radius > 0.0
                               ? dubins_length(begin, end, fine_arcs * r.limits.turn_radius)
                               : chord * rounded_up;
-  if (fault.sentence.find("at least") != std::string::npos ||
-      fault.sentence.find("straight line") != std::string::npos) {
+  if (fault.sentence.find("met with less") == std::string::npos) {
     ++campaign.too_little;
     // Back to where it began: a path of no length, or a whole turn.
     const bool back = shortest < straight_slack * r.limits.turn_radius && chord == 0.0;
@@ -163,9 +162,7 @@ inline std::string complaint_about(const Fault& fault, const ClimbRequest& r,
     ++campaign.between;
   }
   ClimbRequest higher = r;
-  const double more = r.limits.turn_radius > 0.0 ? rounded_up : fine_arcs;
-  const double lost = 4.0 * epsilon<double>() * std::abs(r.begin.position.z);
-  higher.end.position.z = r.begin.position.z + std::copysign(*fault.bound * more + lost, rise);
+  higher.end.position.z = r.begin.position.z + std::copysign(*fault.bound, rise);
   const auto met =
       climb_path(higher.begin, higher.end, higher.climb_angle, higher.limits.turn_radius);
   if (!met) return fault.sentence + "; but then: " + met.fault().sentence;

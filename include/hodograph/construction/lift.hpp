@@ -63,7 +63,8 @@ SpatialPhCurve<n> lifted(const PlanarPhCurve<n>& plan, const Vector3<double>& st
 }
 
 /// The path above a plan, on its knots, from an altitude on, with one slope for every segment. C0,
-/// and as smooth as the plan where neighbours have the same slope.
+/// each segment from the end of the one before, and as smooth as the plan where neighbours have the
+/// same slope.
 /// Faults: mismatched_size (slopes ≠ segments), not_finite (a slope, with its index), those of
 /// Path::create. A closed plan gives an open path unless the altitude returns.
 template <std::size_t n>
@@ -80,7 +81,6 @@ Result<SpatialPath<n>> lifted(const PlanarPath<n>& plan, double altitude,
   }
   std::vector<SpatialPhCurve<n>> segments;
   segments.reserve(plan.segment_count());
-  double z = altitude;
   for (std::size_t k = 0; k < plan.segment_count(); ++k) {
     if (!is_finite(slopes[k])) {
       return Fault{FaultCode::not_finite,
@@ -90,11 +90,11 @@ Result<SpatialPath<n>> lifted(const PlanarPath<n>& plan, double altitude,
                    slopes[k],
                    std::nullopt};
     }
-    const Vector2<double>& start = plan.segment(k).start();
-    segments.push_back(lifted(plan.segment(k), {start.x, start.y, z}, slopes[k]));
-    z = segments.back().end().z;
+    const Vector2<double>& first = plan.segment(0).start();
+    const auto start = k == 0 ? Vector3<double>{first.x, first.y, altitude} : segments.back().end();
+    segments.push_back(lifted(plan.segment(k), start, slopes[k]));
   }
-  const bool returns = plan.is_closed() && z == altitude;
+  const bool returns = plan.is_closed() && segments.back().end().z == altitude;
   return SpatialPath<n>::create(plan.knots(), std::move(segments), returns);
 }
 
