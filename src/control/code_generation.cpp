@@ -255,7 +255,7 @@ std::string casadi_source(const std::string& name, std::size_t dimension) {
     if (external.order > 0) stride = external.results.size() / known.size();
     std::string body = replaced(code_text::casadi_function, '$', external.name);
     body = replaced(body, '#', std::to_string(external.order));
-    text += replaced(body, '&', std::to_string(stride));
+    text += replaced(body, '~', std::to_string(stride));
   }
   return text;
 }

@@ -424,14 +424,14 @@ static int @_derive(const double **arg, double **res, int order, int stride) {
 }
 )c";
 
-/// One external function: $ stands for its name, # for its order, & for how many results it has for
+/// One external function: $ stands for its name, # for its order, ~ for how many results it has for
 /// each of the path's.
 inline constexpr const char* casadi_function = R"c(
 int $(const double **arg, double **res, long long int *iw, double *w, int mem) {
   (void)iw;
   (void)w;
   (void)mem;
-  return @_derive(arg, res, #, &);
+  return @_derive(arg, res, #, ~);
 }
 void $_incref(void) {}
 void $_decref(void) {}

@@ -5,11 +5,14 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,7 +59,7 @@ class Compiled {
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_.path(name)) << text;
   }
-  test::TemporaryDirectory folder_;
+  TemporaryDirectory folder_;
   void* handle_ = nullptr;
 };
 
@@ -156,36 +159,27 @@ void compare(const P& path, test::Random& random) {
   EXPECT_EQ(code.function<double()>("p_length")(), path.arc_length());
 }
 
-constexpr std::uint64_t seed = 20260731;
-
 TEST(CodeGeneration, PlanarCodeAgreesWithTheLibraryBitForBit) {
-  test::Random random(seed);
+  test::Random random("planar code");
   compare(test::random_path<PlanarPath<0>>(random, 1), random);
-  compare(test::random_path<PlanarPath<1>>(random, 3), random);
-  compare(test::random_path<PlanarPath<2>>(random, 2), random);
+  compare(test::random_path<PlanarPath<2>>(random, 3), random);
   compare(test::random_path<PlanarPath<5>>(random, 4), random);
 }
 
 TEST(CodeGeneration, SpatialCodeAgreesWithTheLibraryBitForBit) {
-  test::Random random(seed + 1);
+  test::Random random("spatial code");
   compare(test::random_path<SpatialPath<1>>(random, 2), random);
-  compare(test::random_path<SpatialPath<2>>(random, 5), random);
-  compare(test::random_path<SpatialPath<4>>(random, 3), random);
-  compare(test::random_path<SpatialPath<8>>(random, 4), random);
-}
-
-TEST(CodeGeneration, TheLargestDegreesAgreeToo) {
-  test::Random random(seed + 2);
-  compare(test::random_path<PlanarPath<12>>(random, 2), random);
+  compare(test::random_path<SpatialPath<4>>(random, 5), random);
   compare(test::random_path<SpatialPath<12>>(random, 2), random);
 }
 
 // What the C code computes is checked against the library; this checks the one part of it that
 // nothing else does.
 TEST(CodeGeneration, DerivativesOfTheCurvatureAreThoseOfItsTaylorSeries) {
-  test::Random random(seed + 3);
+  test::Random random("curvature derivatives");
   using T = Taylor<long double, 2>;
-  constexpr double close = 1e-13;  // not a tolerance of double: the series is in long double
+  // The series is in long double; a hundred terms of a few units are rounded here.
+  constexpr double close = 1000.0 * std::numeric_limits<double>::epsilon();
   const auto check = [&](const auto& path) {
     const double xi = random.uniform(path.xi_begin(), path.xi_end());
     const auto series = test::converted<T>(path);
@@ -201,7 +195,7 @@ TEST(CodeGeneration, DerivativesOfTheCurvatureAreThoseOfItsTaylorSeries) {
     }
     for (std::size_t r = 0; r < found.size(); ++r) {
       const double expected = static_cast<double>(kappa.derivative(r));
-      EXPECT_NEAR(found[r], expected, close * (1.0 + std::abs(expected)) * 10.0) << r;
+      EXPECT_NEAR(found[r], expected, close * std::max(1.0, std::abs(expected))) << r;
     }
   };
   for (int i = 0; i < 20; ++i) {
@@ -211,7 +205,7 @@ TEST(CodeGeneration, DerivativesOfTheCurvatureAreThoseOfItsTaylorSeries) {
 }
 
 TEST(CodeGeneration, NothingIsWrittenOutsideTheKnotsOrForUnknownOrders) {
-  test::Random random(seed + 4);
+  test::Random random("code outside");
   const auto path = test::random_path<SpatialPath<4>>(random, 3);
   const Compiled code = compiled(path, {"p"});
   constexpr double untouched = 12345.0;
@@ -257,7 +251,7 @@ TEST(CodeGeneration, AStraightLineInSpaceHasACurvatureButNoDerivativesOfIt) {
 }
 
 TEST(CodeGeneration, RefusesNamesThatAreNoNamesInC) {
-  test::Random random(seed + 5);
+  test::Random random("code names");
   const AnyPath path = test::random_path<PlanarPath<2>>(random, 1);
   for (const std::string name :
        {"", "2nd", "a b", "a-b", "_a", "int", "main", "class", "sin", "a\"b", "\xc3\xa4"}) {
@@ -270,18 +264,15 @@ TEST(CodeGeneration, RefusesNamesThatAreNoNamesInC) {
   EXPECT_TRUE(generate_code(path, {std::string(most_name_letters, 'a')}).has_value());
 }
 
-TEST(CodeGeneration, TheHeaderIsAlsoACxxHeader) {
-  test::Random random(seed + 6);
+TEST(CodeGeneration, TheFilesAreNamedAndTheHeaderServesCxxToo) {
+  test::Random random("code header");
   const GeneratedCode code =
       generate_code(test::random_path<SpatialPath<2>>(random, 1), {"orbit", true}).value();
   EXPECT_EQ(code.header_name, "orbit.h");
   EXPECT_EQ(code.source_name, "orbit.c");
   EXPECT_NE(code.header.find("extern \"C\""), std::string::npos);
   EXPECT_NE(code.source.find("#include \"orbit.h\""), std::string::npos);
-  EXPECT_EQ((code.header + code.source).find_first_of("@$&#%", code.header.size() + 1) ==
-                std::string::npos,
-            false);  // the preprocessor's # stays
-  EXPECT_EQ((code.header + code.source).find_first_of("@$"), std::string::npos);
+  EXPECT_EQ((code.header + code.source).find_first_of("@$~"), std::string::npos);
 }
 
 // ---- the external functions ---------------------------------------------------------------------
@@ -382,7 +373,7 @@ class External {
 };
 
 TEST(CodeGeneration, ExternalFunctionsGiveValuesAndBothDerivatives) {
-  test::Random random(seed + 7);
+  test::Random random("external functions");
   const auto path = test::random_path<SpatialPath<4>>(random, 3);
   const Compiled code = compiled(path, {"orbit", true});
   const External values(code, "orbit"), first(code, "jac_orbit"), second(code, "jac_jac_orbit");
@@ -412,7 +403,7 @@ TEST(CodeGeneration, ExternalFunctionsGiveValuesAndBothDerivatives) {
 // A Jacobian has the inputs of its function and then its results; one result for each pair of a
 // result and an input.
 TEST(CodeGeneration, JacobiansAreNamedAndShapedAsCasadiExpects) {
-  test::Random random(seed + 8);
+  test::Random random("jacobians");
   const Compiled code = compiled(test::random_path<PlanarPath<2>>(random, 2), {"road", true});
   const std::vector<std::string> names = {"road", "jac_road", "jac_jac_road"};
   for (std::size_t order = 0; order + 1 < names.size(); ++order) {
