@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "control/code_text.hpp"
+#include "code_text.hpp"
 #include "hodograph/foundation/version.hpp"
 
 namespace hodograph {
