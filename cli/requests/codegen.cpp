@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The request "codegen".
+#include "cli/requests/handlers.hpp"
+#include "hodograph/control/code_generation.hpp"
+
+namespace hodograph::cli {
+
+Answer answer_codegen(Members& request) {
+  const PathDocument document = request.document();
+  CodeOptions options;
+  options.name = request.text("name", options.name);
+  options.casadi = request.truth("casadi", false);
+  request.require_all_known();
+  GeneratedCode code = generate_code(document.path, options).value();
+  Answer answer;
+  answer.result["header_name"] = std::move(code.header_name);
+  answer.result["header"] = std::move(code.header);
+  answer.result["source_name"] = std::move(code.source_name);
+  answer.result["source"] = std::move(code.source);
+  return answer;
+}
+
+}  // namespace hodograph::cli
