@@ -14,10 +14,9 @@ find_package_handle_standard_args(Arb
   REQUIRED_VARS Arb_LIBRARY Arb_FLINT_LIBRARY Arb_INCLUDE_DIR Arb_FLINT_INCLUDE_DIR
   REASON_FAILURE_MESSAGE "on Debian: apt-get install libflint-arb-dev libflint-dev")
 
-if(Arb_FOUND AND NOT TARGET Arb::Arb)
-  add_library(Arb::Arb INTERFACE IMPORTED)
-  set_target_properties(Arb::Arb PROPERTIES
-    INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${Arb_INCLUDE_DIR};${Arb_FLINT_INCLUDE_DIR}"
-    INTERFACE_INCLUDE_DIRECTORIES "${Arb_INCLUDE_DIR};${Arb_FLINT_INCLUDE_DIR}"
-    INTERFACE_LINK_LIBRARIES "${Arb_LIBRARY};${Arb_FLINT_LIBRARY}")
+if(Arb_FOUND)
+  include("${CMAKE_CURRENT_LIST_DIR}/HodographImport.cmake")
+  hodograph_import(Arb::Arb
+    INCLUDES "${Arb_INCLUDE_DIR}" "${Arb_FLINT_INCLUDE_DIR}"
+    LIBRARIES "${Arb_LIBRARY}" "${Arb_FLINT_LIBRARY}")
 endif()

@@ -15,11 +15,10 @@ if(NOT TARGET GeographicLib::GeographicLib)
     REASON_FAILURE_MESSAGE "on Debian: apt-get install libgeographiclib-dev")
 
   if(GeographicLib_FOUND)
-    add_library(GeographicLib::GeographicLib INTERFACE IMPORTED)
-    set_target_properties(GeographicLib::GeographicLib PROPERTIES
-      INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${GeographicLib_INCLUDE_DIR}"
-      INTERFACE_INCLUDE_DIRECTORIES "${GeographicLib_INCLUDE_DIR}"
-      INTERFACE_LINK_LIBRARIES "${GeographicLib_LIBRARY}")
+    include("${CMAKE_CURRENT_LIST_DIR}/HodographImport.cmake")
+    hodograph_import(GeographicLib::GeographicLib
+      INCLUDES "${GeographicLib_INCLUDE_DIR}"
+      LIBRARIES "${GeographicLib_LIBRARY}")
   endif()
 else()
   set(GeographicLib_FOUND TRUE)

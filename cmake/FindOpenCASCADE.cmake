@@ -18,10 +18,9 @@ find_package_handle_standard_args(OpenCASCADE
   REQUIRED_VARS ${OpenCASCADE_required}
   REASON_FAILURE_MESSAGE "on Debian: apt-get install libocct-data-exchange-dev")
 
-if(OpenCASCADE_FOUND AND NOT TARGET OpenCASCADE::STEP)
-  add_library(OpenCASCADE::STEP INTERFACE IMPORTED)
-  set_target_properties(OpenCASCADE::STEP PROPERTIES
-    INTERFACE_SYSTEM_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
-    INTERFACE_INCLUDE_DIRECTORIES "${OpenCASCADE_INCLUDE_DIR}"
-    INTERFACE_LINK_LIBRARIES "${OpenCASCADE_STEP_LIBRARIES}")
+if(OpenCASCADE_FOUND)
+  include("${CMAKE_CURRENT_LIST_DIR}/HodographImport.cmake")
+  hodograph_import(OpenCASCADE::STEP
+    INCLUDES "${OpenCASCADE_INCLUDE_DIR}"
+    LIBRARIES ${OpenCASCADE_STEP_LIBRARIES})
 endif()

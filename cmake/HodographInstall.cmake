@@ -37,7 +37,9 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/hodographConfigV
 install(FILES
   "${PROJECT_BINARY_DIR}/package/hodographConfig.cmake"
   "${PROJECT_BINARY_DIR}/package/hodographConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/HodographImport.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindArb.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindCLP.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindFLINT.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindIpopt.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindOpenCASCADE.cmake"

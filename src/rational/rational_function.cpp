@@ -9,12 +9,27 @@ namespace hodograph {
 
 using rational_detail::raw;
 
-RationalFunction::RationalFunction(const RationalPolynomial& p, const RationalPolynomial& q) {
+namespace {
+
+/// p / q for q ≠ 0 in lowest terms with a monic denominator: of polynomials and of their vectors.
+RationalPolynomial divided(const RationalPolynomial& p, const RationalPolynomial& common) {
+  return p / common;
+}
+const RationalPolynomial& content(const RationalPolynomial& p) { return p; }
+template <class Numerator>
+void reduce(const Numerator& p, const RationalPolynomial& q, Numerator& numerator,
+            RationalPolynomial& denominator) {
   if (q.is_zero()) rational_detail::throw_division_by_zero();
-  const RationalPolynomial common = gcd(p, q);
+  const RationalPolynomial common = gcd(content(p), q);
   const RationalPolynomial scale(Rational(1) / q.leading());
-  numerator_ = scale * (p / common);
-  denominator_ = (q / common).monic();
+  numerator = scale * divided(p, common);
+  denominator = (q / common).monic();
+}
+
+}  // namespace
+
+RationalFunction::RationalFunction(const RationalPolynomial& p, const RationalPolynomial& q) {
+  reduce(p, q, numerator_, denominator_);
 }
 
 RationalFunction RationalFunction::derivative() const {
@@ -43,11 +58,7 @@ std::string to_text(const RationalFunction& f) {
 }
 
 VectorFunction::VectorFunction(const VectorPolynomial& p, const RationalPolynomial& q) {
-  if (q.is_zero()) rational_detail::throw_division_by_zero();
-  const RationalPolynomial common = gcd(content(p), q);
-  const RationalPolynomial scale(Rational(1) / q.leading());
-  numerator_ = scale * divided(p, common);
-  denominator_ = (q / common).monic();
+  reduce(p, q, numerator_, denominator_);
 }
 
 RationalVector VectorFunction::value(const Rational& t) const {

@@ -16,23 +16,29 @@ namespace {
 
 Rational middle(const Rational& a, const Rational& b) { return (a + b) * Rational(1, 2); }
 
-/// Sign changes of the coefficients of (1 + x)^n p((a + b x) / (1 + x)): as many as p has roots in
-/// (a, b), or an even number more.
-std::size_t variations(const RationalPolynomial& p, const Rational& a, const Rational& b) {
-  // q(x) = p(a + (b - a) x); its reverse x^n q(1/x), at x + 1.
+/// (1 + x)^n p((a + b x) / (1 + x)): what p is on (a, b), this is on (0, ∞).
+RationalPolynomial on_half_line(const RationalPolynomial& p, const Rational& a, const Rational& b) {
+  // q(x) = p(b + (a - b) x); its reverse x^n q(1/x) at x + 1, from the other end.
   RationalPolynomial q, reversed;
-  fmpq_poly_compose(raw(q), raw(p), raw(RationalPolynomial{a, b - a}));
+  fmpq_poly_compose(raw(q), raw(p), raw(RationalPolynomial{b, a - b}));
   fmpq_poly_reverse(raw(reversed), raw(q), static_cast<slong>(p.degree() + 1));
-  const RationalPolynomial moved = reversed.shifted(1);
+  return reversed.shifted(1);
+}
+
+/// Sign changes of the coefficients of p, as many as it has positive roots, or an even number more.
+std::size_t variations(const RationalPolynomial& p) {
   std::size_t changes = 0;
   int last = 0;
-  for (int k = 0; k <= moved.degree(); ++k) {
-    const int sign = moved.coefficient(static_cast<std::size_t>(k)).sign();
+  for (int k = 0; k <= p.degree(); ++k) {
+    const int sign = p.coefficient(static_cast<std::size_t>(k)).sign();
     if (sign == 0) continue;
     if (last != 0 && sign != last) ++changes;
     last = sign;
   }
   return changes;
+}
+std::size_t variations(const RationalPolynomial& p, const Rational& a, const Rational& b) {
+  return variations(on_half_line(p, a, b));
 }
 
 /// Every real root of an irreducible p of degree 2 or more: no midpoint is a root.
@@ -123,10 +129,39 @@ std::vector<RealRoot> real_roots(const RationalPolynomial& p) {
 }
 
 std::size_t count_real_roots(const RationalPolynomial& p, const Rational& a, const Rational& b) {
-  const auto roots = real_roots(p);
-  return static_cast<std::size_t>(std::count_if(roots.begin(), roots.end(), [&](const auto& root) {
-    return root.compare(a) >= 0 && root.compare(b) <= 0;
-  }));
+  if (p.is_constant()) return 0;
+  std::size_t count = 0;
+  for (const Rational* end : {&a, &b}) {
+    if (p.value(*end).is_zero() && (end == &a || a != b)) ++count;
+  }
+  if (b <= a) return count;
+  RationalPolynomial open = on_half_line(p, a, b);
+  // Roots at the ends have gone to 0 and ∞.
+  while (open.coefficient(0).is_zero()) open = open / RationalPolynomial::monomial(1, 1);
+  if (variations(open) <= 1) return count + variations(open);
+  const rational_detail::IntegerPolynomial whole(open / gcd(open, open.derivative()));
+  slong negative = 0, positive = 0;
+  _fmpz_poly_num_real_roots_sturm(&negative, &positive, whole.get()->coeffs, whole.get()->length);
+  return count + static_cast<std::size_t>(positive);
+}
+
+bool is_positive(const RationalPolynomial& p, const Rational& a, const Rational& b) {
+  return p.value(a).sign() > 0 && count_real_roots(p, a, b) == 0;
+}
+
+bool is_nonnegative(const RationalPolynomial& p, const Rational& a, const Rational& b) {
+  if (p.value(a).sign() < 0 || p.value(b).sign() < 0) return false;
+  if (p.is_zero() || a == b) return true;
+  // Only roots of odd multiplicity within (a, b) change the sign.
+  RationalPolynomial changes(p.leading());
+  for (const PolynomialFactor& s : square_free_factors(p)) {
+    if (s.multiplicity % 2 != 0) changes *= s.factor;
+  }
+  const RationalPolynomial open = on_half_line(changes, a, b);
+  if (variations(open) == 0) return open.leading().sign() > 0;
+  const std::size_t ends =
+      (changes.value(a).is_zero() ? 1u : 0u) + (changes.value(b).is_zero() ? 1u : 0u);
+  return count_real_roots(changes, a, b) == ends && open.leading().sign() > 0;
 }
 
 }  // namespace hodograph

@@ -39,7 +39,12 @@ class RealRoot {
 /// The distinct real roots of p ≠ 0, increasing, in disjoint intervals that do not touch.
 /// Method: irreducible factors; Descartes' rule with bisection.
 std::vector<RealRoot> real_roots(const RationalPolynomial& p);
-/// The number of distinct real roots of p ≠ 0 in [a, b], exactly.
+/// The number of distinct real roots of p ≠ 0 in [a, b], a ≤ b, exactly. Method: Sturm's sequence,
+/// after Descartes' rule where that decides.
 std::size_t count_real_roots(const RationalPolynomial& p, const Rational& a, const Rational& b);
+/// True when p > 0 everywhere in [a, b], a ≤ b: exact, by count_real_roots. Domain: p ≠ 0.
+bool is_positive(const RationalPolynomial& p, const Rational& a, const Rational& b);
+/// True when p ≥ 0 everywhere in [a, b], a ≤ b: exact, by the roots of odd multiplicity. Any p.
+bool is_nonnegative(const RationalPolynomial& p, const Rational& a, const Rational& b);
 
 }  // namespace hodograph
