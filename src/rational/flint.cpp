@@ -6,10 +6,6 @@
 
 namespace hodograph::rational_detail {
 
-std::size_t RationalMatrix::reduce() {
-  return static_cast<std::size_t>(fmpq_mat_rref(value_, value_));
-}
-
 RationalMatrix RationalMatrix::null_space() const {
   IntegerMatrix whole(rows(), columns());
   fmpq_mat_get_fmpz_mat_rowwise(whole.get(), nullptr, value_);

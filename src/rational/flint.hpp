@@ -70,8 +70,6 @@ class RationalMatrix {
     fmpq_poly_get_coeff_fmpq(at(i, j), raw(p), signed_size(k));
   }
 
-  /// The reduced row echelon form in place; the rank.
-  std::size_t reduce();
   /// A basis of the null space {x : M x = 0}, one row each.
   RationalMatrix null_space() const;
 
@@ -86,9 +84,14 @@ class IntegerMatrix {
     fmpz_mat_init(value_, signed_size(rows), signed_size(columns));
   }
   IntegerMatrix(const IntegerMatrix&) = delete;
+  IntegerMatrix(IntegerMatrix&& other) noexcept : IntegerMatrix(0, 0) {
+    fmpz_mat_swap(value_, other.value_);
+  }
   IntegerMatrix& operator=(const IntegerMatrix&) = delete;
   ~IntegerMatrix() { fmpz_mat_clear(value_); }
 
+  std::size_t rows() const { return static_cast<std::size_t>(fmpz_mat_nrows(value_)); }
+  std::size_t columns() const { return static_cast<std::size_t>(fmpz_mat_ncols(value_)); }
   fmpz* at(std::size_t i, std::size_t j) {
     return fmpz_mat_entry(value_, signed_size(i), signed_size(j));
   }

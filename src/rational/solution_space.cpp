@@ -7,6 +7,7 @@
 #include <cassert>
 #include <utility>
 
+#include "echelon.hpp"
 #include "flint.hpp"
 #include "hermite_reduction.hpp"
 #include "hodograph/rational/motion_polynomial.hpp"
@@ -18,6 +19,7 @@ using rational_detail::HermiteReduction;
 using rational_detail::IntegerMatrix;
 using rational_detail::RationalMatrix;
 using rational_detail::raw;
+using rational_detail::signed_size;
 
 namespace {
 
@@ -73,8 +75,55 @@ std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
   std::vector<RationalPolynomial> result(solutions.rows());
   for (std::size_t i = 0; i < result.size(); ++i) {
     for (std::size_t j = 0; j < unknowns; ++j) {
-      fmpq_poly_set_coeff_fmpq(raw(result[i]), rational_detail::signed_size(unknowns - 1 - j),
+      fmpq_poly_set_coeff_fmpq(raw(result[i]), signed_size(unknowns - 1 - j),
                                solutions.at(i, j));
+    }
+  }
+  return result;
+}
+
+/// The reduced row echelon form of the coefficients of some vectors of polynomials, in the order
+/// (t^d of the first component, t^d of the second, ..., t^(d-1) of the first, ...), d the largest
+/// degree.
+template <std::size_t components>
+std::vector<std::array<RationalPolynomial, components>> echelon(
+    const std::vector<std::array<const RationalPolynomial*, components>>& span) {
+  std::size_t count = 0;
+  for (const auto& row : span) {
+    for (const RationalPolynomial* p : row) count = std::max(count, degree_of(*p) + 1);
+  }
+  IntegerMatrix matrix(span.size(), components * count);
+  fmpz_t common, factor;
+  fmpz_init(common);
+  fmpz_init(factor);
+  for (std::size_t i = 0; i < span.size(); ++i) {
+    fmpz_one(common);
+    for (const RationalPolynomial* p : span[i]) {
+      fmpz_lcm(common, common, fmpq_poly_denref(raw(*p)));
+    }
+    for (std::size_t c = 0; c < components; ++c) {
+      const fmpq_poly_struct* p = raw(*span[i][c]);
+      fmpz_divexact(factor, common, fmpq_poly_denref(p));
+      for (slong k = 0; k < fmpq_poly_length(p); ++k) {
+        const std::size_t column = components * (count - 1 - static_cast<std::size_t>(k)) + c;
+        fmpz_mul(matrix.at(i, column), fmpq_poly_numref(p) + k, factor);
+      }
+    }
+  }
+  fmpz_clear(common);
+  fmpz_clear(factor);
+  rational_detail::Echelon form = rational_detail::reduced_echelon(std::move(matrix));
+  std::vector<std::array<RationalPolynomial, components>> result(form.pivots.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (std::size_t c = 0; c < components; ++c) {
+      fmpq_poly_struct* p = raw(result[i][c]);
+      fmpq_poly_fit_length(p, signed_size(count));
+      for (std::size_t k = 0; k < count; ++k) {
+        fmpz_set(fmpq_poly_numref(p) + k, form.rows.at(i, components * (count - 1 - k) + c));
+      }
+      fmpz_set(fmpq_poly_denref(p), form.rows.at(i, form.pivots[i]));
+      _fmpq_poly_set_length(p, signed_size(count));
+      fmpq_poly_canonicalise(p);
     }
   }
   return result;
@@ -82,22 +131,10 @@ std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
 
 /// The reduced echelon basis by falling degree of the span of some polynomials.
 std::vector<RationalPolynomial> echelon(const std::vector<RationalPolynomial>& span) {
-  std::size_t columns = 0;
-  for (const auto& p : span) columns = std::max(columns, degree_of(p) + 1);
-  RationalMatrix matrix(span.size(), columns);
-  for (std::size_t i = 0; i < span.size(); ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      matrix.set_coefficient(i, columns - 1 - j, span[i], j);
-    }
-  }
-  const std::size_t rank = matrix.reduce();
-  std::vector<RationalPolynomial> result(rank);
-  for (std::size_t i = 0; i < rank; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      fmpq_poly_set_coeff_fmpq(raw(result[i]), rational_detail::signed_size(columns - 1 - j),
-                               matrix.at(i, j));
-    }
-  }
+  std::vector<std::array<const RationalPolynomial*, 1>> rows;
+  for (const RationalPolynomial& p : span) rows.push_back({&p});
+  std::vector<RationalPolynomial> result;
+  for (auto& row : echelon<1>(rows)) result.push_back(std::move(row[0]));
   return result;
 }
 
@@ -206,26 +243,13 @@ std::vector<RationalPolynomial> SolutionSpace::rational_length_numerators() cons
 }
 
 std::vector<VectorPolynomial> SolutionSpace::canonical_basis() const {
-  const std::size_t count = degree_ + 1;
-  RationalMatrix matrix(basis_.size(), 3 * count);
-  for (std::size_t i = 0; i < basis_.size(); ++i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        matrix.set_coefficient(i, 3 * j + c, basis_[i][c], degree_ - j);
-      }
-    }
+  std::vector<std::array<const RationalPolynomial*, 3>> rows;
+  for (const VectorPolynomial& b : basis_) rows.push_back({&b.x, &b.y, &b.z});
+  std::vector<VectorPolynomial> result;
+  for (auto& [x, y, z] : echelon<3>(rows)) {
+    result.push_back({std::move(x), std::move(y), std::move(z)});
   }
-  [[maybe_unused]] const std::size_t rank = matrix.reduce();
-  assert(rank == basis_.size());
-  std::vector<VectorPolynomial> result(basis_.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        fmpq_poly_set_coeff_fmpq(raw(result[i][c]), rational_detail::signed_size(degree_ - j),
-                                 matrix.at(i, 3 * j + c));
-      }
-    }
-  }
+  assert(result.size() == basis_.size());
   return result;
 }
 
