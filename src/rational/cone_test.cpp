@@ -8,6 +8,7 @@
 
 #include "hodograph/rational/hermite_curves.hpp"
 #include "hodograph/rational/real_roots.hpp"
+#include "hodograph/rational/text.hpp"
 #include "least_value.hpp"
 #include "linear_algebra.hpp"
 #include "linear_program.hpp"
@@ -21,10 +22,6 @@ namespace {
 RationalPolynomial along(const RationalVector& n, const VectorPolynomial& f) {
   return RationalPolynomial(n.x) * f.x + RationalPolynomial(n.y) * f.y +
          RationalPolynomial(n.z) * f.z;
-}
-
-std::string text_of(const RationalVector& v) {
-  return "(" + to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z) + ")";
 }
 
 /// A basis of the span of some vectors, chosen among them: their indices.
@@ -176,7 +173,7 @@ void say_outside(ConeTest& answer, const VectorPolynomial& f, const RationalVect
   answer.outcome = ConeTest::Outcome::outside;
   answer.normal = n;
   answer.sentence =
-      "the chord " + text_of(chord) + " is outside the cone of the tangents: n = " + text_of(n) +
+      "the chord " + to_text(chord) + " is outside the cone of the tangents: n = " + to_text(n) +
       (along(n, f).is_zero() ? " has n . F = 0" : " has n . F >= 0") + " on [" + to_text(begin) +
       ", " + to_text(end) + "], and n . chord = " + to_text(dot(n, chord)) +
       (along(n, f).is_zero() ? " is not 0" : " is not positive") +
@@ -212,7 +209,7 @@ ConeTest cone_test(const VectorPolynomial& indicatrix, const RationalVector& cho
         answer.nodes.push_back(nodes[i]);
         answer.weights.push_back(found.weights[i]);
       }
-      answer.sentence = "the chord " + text_of(chord) +
+      answer.sentence = "the chord " + to_text(chord) +
                         " is inside the cone of the tangents: a sum of F at " +
                         std::to_string(answer.nodes.size()) + " parameters with positive weights";
       return answer;
@@ -231,7 +228,7 @@ ConeTest cone_test(const VectorPolynomial& indicatrix, const RationalVector& cho
     }
     bits += 4;
   }
-  answer.sentence = "the chord " + text_of(chord) +
+  answer.sentence = "the chord " + to_text(chord) +
                     " is too near to the boundary of the cone of the tangents: not decided after " +
                     std::to_string(answer.rounds) + " linear programs";
   return answer;

@@ -228,10 +228,12 @@ Result<CuspFreeAnswer> answer_within_cone(const HermiteCurves& curves,
     if (nodes.size() == before) cells *= 2;
     bits += 2;
   }
-  answer.sentence = "not decided after " + std::to_string(answer.rounds) +
-                    " linear programs: no curve of the space is faster than " +
-                    spoken(*answer.speed_bound) + " everywhere on " + interval_text(data) +
-                    ", and none was certified";
+  answer.sentence = "not decided after " + std::to_string(answer.rounds) + " linear programs: ";
+  if (answer.speed_bound) {
+    answer.sentence += "no curve of the space is faster than " + spoken(*answer.speed_bound) +
+                       " everywhere on " + interval_text(data) + ", and ";
+  }
+  answer.sentence += "none was certified";
   return answer;
 }
 

@@ -6,16 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "flint.hpp"
+#include "hodograph/rational/text.hpp"
 #include "linear_algebra.hpp"
 
 namespace hodograph {
 
 namespace {
-
-std::string to_text_of(const RationalVector& v) {
-  return "(" + to_text(v.x) + ", " + to_text(v.y) + ", " + to_text(v.z) + ")";
-}
 
 bool is_zero(const RationalVector& v) { return v == RationalVector{}; }
 
@@ -54,8 +50,8 @@ std::optional<Fault> data_fault(const SolutionSpace& space, const RationalHermit
       const RationalVector f = value(space.indicatrix(), t);
       if (!is_zero(cross(v, f)) || dot(v, f).sign() <= 0) {
         return Fault{FaultCode::outside_domain,
-                     "the derivative " + to_text_of(v) + " at t = " + to_text(t) +
-                         " does not have the direction " + to_text_of(f) +
+                     "the derivative " + to_text(v) + " at t = " + to_text(t) +
+                         " does not have the direction " + to_text(f) +
                          " that A gives there; right would be a positive multiple of it",
                      index, "derivative"};
       }

@@ -36,13 +36,18 @@ std::vector<Rational> dips(const std::function<Rational(const Rational&)>& f, co
   return result;
 }
 
-Rational simplest(const Rational& x, long bits) {
-  if (x.is_zero()) return x;
-  Rational margin = x.sign() < 0 ? -x : x;
+namespace {
+Rational simplest_between(const Rational& x, Rational margin, long bits) {
   fmpq_div_2exp(raw(margin), raw(margin), static_cast<ulong>(bits));
   Rational result;
   fmpq_simplest_between(raw(result), raw(x - margin), raw(x + margin));
   return result;
 }
+}  // namespace
+
+Rational simplest(const Rational& x, long bits) {
+  return x.is_zero() ? x : simplest_between(x, x.sign() < 0 ? -x : x, bits);
+}
+Rational simplest_within(const Rational& x, long bits) { return simplest_between(x, 1, bits); }
 
 }  // namespace hodograph::rational_detail

@@ -19,5 +19,7 @@ std::vector<Rational> dips(const std::function<Rational(const Rational&)>& f, co
 
 /// The rational of least denominator within 2^-bits |x| of x; 0 for 0.
 Rational simplest(const Rational& x, long bits);
+/// The rational of least denominator within 2^-bits of x.
+Rational simplest_within(const Rational& x, long bits);
 
 }  // namespace hodograph::rational_detail
