@@ -12,6 +12,7 @@
 
 #include "code_text.hpp"
 #include "hodograph/foundation/version.hpp"
+#include "path_coefficients.hpp"
 
 namespace hodograph {
 namespace {
@@ -100,23 +101,10 @@ struct Tables {
   std::vector<double> integrals, lengths, binomials;
 };
 
-// The coefficients of (displacement, arc length), which the library made from those of the
-// preimage.
-std::vector<double> integrals_of(const AnyPath& path) {
-  std::vector<double> result;
-  path.visit([&result](const auto& known) {
-    for (const auto& curve : known.segments()) {
-      for (const auto& c : curve.integral().coefficients()) {
-        for (std::size_t i = 0; i < c.dimension; ++i) result.push_back(c[i]);
-      }
-    }
-  });
-  return result;
-}
-
 Tables tables_of(const AnyPath& path) {
   constexpr std::size_t least_row = 3;  // of the rules of Leibniz
-  Tables tables{path.numbers(), integrals_of(path), path.knot_arc_lengths(), {}};
+  Tables tables{
+      path.numbers(), control_detail::integral_coefficients(path), path.knot_arc_lengths(), {}};
   for (std::size_t n = 0; n <= std::max(path.degree(), least_row); ++n) {
     std::uint64_t choices = 1;
     for (std::size_t i = 0; i <= n; ++i) {

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "hodograph/control/reference_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hodograph/foundation/accuracy.hpp"
+#include "path_coefficients.hpp"
+
+namespace hodograph {
+namespace {
+
+// For every power k: the factor of the Bernstein coefficient i in that of x^k, x = 2u - 1; row k.
+//   B_i^n = C(n, i) (1 + x)^i (1 - x)^(n - i) / 2^n
+std::vector<long double> powers_from_bernstein(std::size_t n) {
+  std::vector<long double> factors((n + 1) * (n + 1), 0.0L);
+  for (std::size_t i = 0; i <= n; ++i) {
+    std::vector<long double> product{static_cast<long double>(binomial(n, i)) *
+                                     std::ldexp(1.0L, -static_cast<int>(n))};
+    for (std::size_t j = 0; j < n; ++j) {
+      const long double sign = j < i ? 1.0L : -1.0L;
+      product.push_back(0.0L);
+      for (std::size_t k = product.size() - 1; k > 0; --k) product[k] += sign * product[k - 1];
+    }
+    for (std::size_t k = 0; k <= n; ++k) factors[k * (n + 1) + i] = product[k];
+  }
+  return factors;
+}
+
+// Coefficient k of powers, of the Bernstein coefficients c(0), ..., c(n).
+template <class Coefficient>
+double power_coefficient(const std::vector<long double>& factors, std::size_t n, std::size_t k,
+                         const Coefficient& c) {
+  long double sum = 0.0L;
+  for (std::size_t i = 0; i <= n; ++i) {
+    sum += factors[k * (n + 1) + i] * static_cast<long double>(c(i));
+  }
+  return static_cast<double>(sum);
+}
+
+template <class A>
+constexpr std::size_t components = A::dimension;
+
+// Whether the preimage at the end is that at the start, or its negative: then the frame closes.
+template <class A>
+bool frame_closes(const PathNumbers& numbers) {
+  if (components<A> == 2) return true;
+  const std::size_t last = numbers.preimages.size() - components<A>;
+  double size = 0.0, same = 0.0, opposite = 0.0;
+  for (std::size_t i = 0; i < components<A>; ++i) {
+    const double a = numbers.preimages[i], b = numbers.preimages[last + i];
+    size = std::max({size, std::abs(a), std::abs(b)});
+    same = std::max(same, std::abs(a - b));
+    opposite = std::max(opposite, std::abs(a + b));
+  }
+  return std::min(same, opposite) <= accuracy::join_error<double>() * size;
+}
+
+}  // namespace
+
+template <class A>
+Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path) {
+  constexpr std::size_t dimension = point_t<A>::dimension;
+  if (path.dimension() != dimension) {
+    return Fault{FaultCode::unsupported,
+                 std::string("a path ") + (dimension == 2 ? "in the plane" : "in space") +
+                     " is needed; this one is " + (dimension == 2 ? "in space" : "in the plane"),
+                 std::nullopt,
+                 "dimension",
+                 static_cast<double>(path.dimension()),
+                 static_cast<double>(dimension)};
+  }
+  const PathNumbers numbers = path.numbers();
+  const std::vector<double> integrals = control_detail::integral_coefficients(path);
+  ReferencePath result;
+  const std::size_t n = result.degree_ = numbers.preimage_degree;
+  result.knots_ = numbers.knots;
+  result.periodic_ = numbers.closed && frame_closes<A>(numbers);
+  const std::size_t segments = path.segment_count(), m = 2 * n + 1;
+  const auto of_preimage = powers_from_bernstein(n), of_position = powers_from_bernstein(m);
+  for (std::size_t s = 0; s < segments; ++s) {
+    const double* const preimage = numbers.preimages.data() + s * (n + 1) * components<A>;
+    const double* const integral = integrals.data() + s * (m + 1) * (dimension + 1);
+    for (std::size_t k = 0; k <= n; ++k) {
+      A a{};
+      for (std::size_t i = 0; i < components<A>; ++i) {
+        a[i] = power_coefficient(of_preimage, n, k,
+                                 [&](std::size_t j) { return preimage[j * components<A> + i]; });
+      }
+      result.preimage_.push_back(a);
+    }
+    for (std::size_t k = 0; k <= m; ++k) {
+      point_t<A> p{};
+      for (std::size_t i = 0; i < dimension; ++i) {
+        p[i] = power_coefficient(of_position, m, k,
+                                 [&](std::size_t j) { return integral[j * (dimension + 1) + i]; });
+        if (k == 0) p[i] += numbers.starts[s * dimension + i];
+      }
+      result.positions_.push_back(p);
+    }
+  }
+  return result;
+}
+
+template <class A>
+auto ReferencePath<A>::locate(double xi) const -> Place {
+  if (periodic_ && !(knots_.front() <= xi && xi <= knots_.back())) {
+    const double period = knots_.back() - knots_.front();
+    xi -= period * std::floor((xi - knots_.front()) / period);
+  }
+  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, xi);
+  const auto segment = static_cast<std::size_t>(after - knots_.begin()) - 1;
+  const double half = 0.5 * (knots_[segment + 1] - knots_[segment]);
+  return {segment, (xi - knots_[segment]) / half - 1.0, half};
+}
+
+template <class A>
+template <std::size_t K>
+PreimageJet<A, K> ReferencePath<A>::preimage_jet(const Place& at) const {
+  const A* const c = preimage_.data() + at.segment * (degree_ + 1);
+  PreimageJet<A, K> jet{};
+  jet[0] = c[degree_];
+  for (std::size_t k = degree_; k-- > 0;) {  // Horner's rule, for the Taylor coefficients
+    for (std::size_t r = K; r > 0; --r) jet[r] = at.x * jet[r] + jet[r - 1];
+    jet[0] = at.x * jet[0] + c[k];
+  }
+  double scale = 1.0;
+  for (std::size_t r = 1; r <= K; ++r) {
+    scale *= static_cast<double>(r) / at.half;
+    jet[r] = scale * jet[r];
+  }
+  return jet;
+}
+
+template <class A>
+point_t<A> ReferencePath<A>::position(const Place& at) const {
+  const std::size_t m = 2 * degree_ + 1;
+  const point_t<A>* const c = positions_.data() + at.segment * (m + 1);
+  point_t<A> p = c[m];
+  for (std::size_t k = m; k-- > 0;) p = at.x * p + c[k];
+  return p;
+}
+
+template <class A>
+ReferenceJet<A> ReferencePath<A>::at(double xi) const {
+  const Place place = locate(xi);
+  const PreimageJet<A, 3> jet = preimage_jet<3>(place);
+  const PreimageJet<A, 2> less{jet[0], jet[1], jet[2]};
+  ReferenceJet<A> result;
+  const auto hodographs = hodograph_derivatives(PreimageJet<A, 1>{jet[0], jet[1]});
+  result.position = {position(place), hodographs[0], hodographs[1]};
+  result.body_rate = body_rate_per_xi(jet);
+  result.speed = speed_derivatives(less);
+  const frame_t<A> frame = euler_rodrigues_frame(jet);
+  result.frame =
+      frame_derivatives(frame, std::array<rate_t<A>, 2>{result.body_rate[0], result.body_rate[1]});
+  return result;
+}
+
+template <class A>
+ReferenceValue<A, double> ReferencePath<A>::value(double xi) const {
+  const Place place = locate(xi);
+  const PreimageJet<A, 1> jet = preimage_jet<1>(place);
+  return {position(place), euler_rodrigues_frame(jet), body_rate_per_xi(jet)[0],
+          speed_form(jet[0], jet[0])};
+}
+
+template class ReferencePath<Complex<double>>;
+template class ReferencePath<Quaternion<double>>;
+
+}  // namespace hodograph
