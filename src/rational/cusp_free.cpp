@@ -48,23 +48,30 @@ std::size_t numerator_degree(const HermiteCurves& curves) {
   return static_cast<std::size_t>(std::max(degree, 0));
 }
 
-/// x with the fewest digits that keeps half of the least speed at the nodes and is certified.
+/// x with the fewest digits that keeps half of the least speed at the nodes and is certified; none
+/// where the optimum, to many digits, is not.
 std::optional<std::vector<Rational>> simple_and_certified(const HermiteCurves& curves,
                                                           const NodeOptimum& optimum,
                                                           const std::vector<Rational>& nodes) {
-  const Rational enough = Rational(1, 2) * optimum.least_speed;
-  for (const long bits : {2L, 3L, 4L, 6L, 8L, 12L, 16L, 24L, 32L, 48L, 64L, 96L, 128L, 192L}) {
+  const auto rounded = [&](long bits) {
     std::vector<Rational> x;
     for (const Rational& exact : optimum.parameters) {
       x.push_back(rational_detail::simplest(exact, bits));
     }
+    return x;
+  };
+  constexpr long many_bits = 192;
+  std::vector<Rational> nearest = rounded(many_bits);
+  if (!curves.is_cusp_free(nearest)) return std::nullopt;
+  const Rational enough = Rational(1, 2) * optimum.least_speed;
+  for (const long bits : {2L, 3L, 4L, 6L, 8L, 12L, 16L, 24L, 32L, 48L, 64L, 96L}) {
+    std::vector<Rational> x = rounded(bits);
     const RationalFunction speed = curves.speed(x);
     const bool fast = std::all_of(nodes.begin(), nodes.end(),
                                   [&](const Rational& t) { return enough <= speed.value(t); });
     if (fast && curves.is_cusp_free(x)) return x;
   }
-  if (curves.is_cusp_free(optimum.parameters)) return optimum.parameters;
-  return std::nullopt;
+  return nearest;
 }
 
 void say_found(CuspFreeAnswer& answer, const HermiteCurves& curves, std::vector<Rational> x) {

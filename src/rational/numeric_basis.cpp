@@ -14,6 +14,10 @@ namespace {
 /// What the simplex method takes is a small multiple of the rows; a proposal that takes this many
 /// steps is worth nothing.
 constexpr std::size_t most_steps_a_column = 100;
+
+/// How far Clp may be from feasible and optimal: rows have length 1, and what the simplex method
+/// loses on them is some thousand roundings. Its own default stops a few exact pivots earlier.
+constexpr double solver_tolerance = 0x1p12 * std::numeric_limits<double>::epsilon();
 }  // namespace
 
 std::vector<std::size_t> numeric_basis(const LinearProgram& program) {
@@ -39,6 +43,8 @@ std::vector<std::size_t> numeric_basis(const LinearProgram& program) {
   const std::unique_ptr<Clp_Simplex, decltype(&Clp_deleteModel)> model(Clp_newModel(),
                                                                        &Clp_deleteModel);
   Clp_setLogLevel(model.get(), 0);
+  Clp_setPrimalTolerance(model.get(), solver_tolerance);
+  Clp_setDualTolerance(model.get(), solver_tolerance);
   // Exact arithmetic goes on from whatever was reached.
   Clp_setMaximumIterations(model.get(), static_cast<int>(most_steps_a_column * columns));
   Clp_loadProblem(model.get(), static_cast<int>(columns), static_cast<int>(rows), starts.data(),

@@ -181,6 +181,24 @@ TEST(CuspFree, IsNotFooledByCoarseNodes) {
   EXPECT_TRUE(holds(answer, curves));
 }
 
+TEST(CuspFree, NeedsNoFloatingPointWhereItHasNone) {
+  // Numbers beyond the range of doubles: nothing can be proposed, and exact pivots do all the work.
+  const Rational huge = Rational::parse("1" + std::string(400, '0')).value();
+  const RationalVector end{2, 2, {3, 2}};
+  for (const std::size_t degree : {10u, 11u, 12u}) {
+    const auto alpha = one_plus_t().power(5);
+    const HermiteCurves curves =
+        curves_of(golden_preimage(), alpha, degree, {{}, huge * end, {}, {}});
+    const CuspFreeAnswer answer = cusp_free_curve(curves).value();
+    EXPECT_TRUE(holds(answer, curves));
+    EXPECT_EQ(answer.outcome == Outcome::found, degree > 10);
+    const auto nodes = equidistant(0, 1, 25);
+    const HermiteCurves plain = curves_of(golden_preimage(), alpha, degree, {{}, end, {}, {}});
+    EXPECT_EQ(fastest_at_nodes(curves, nodes, huge).least_speed,
+              huge * fastest_at_nodes(plain, nodes, 1).least_speed);
+  }
+}
+
 TEST(CuspFree, ClosedCurvesFromAnAThatTurnsAllTheWay) {
   // Tangents round the whole circle: a closed planar curve, and a cone that is the whole plane.
   const QuaternionPolynomial a{RationalPolynomial{1, 0, -4}, {}, {}, RationalPolynomial{0, 4}};
