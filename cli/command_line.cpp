@@ -57,6 +57,7 @@ int fail(const std::string& sentence, ExitCode exit) {
 int fail(const Fault& fault) {
   const int exit = fail(fault.sentence, is_no_solution(fault.code) ? no_solution : bad_input);
   if (fault.quantity == "formula" && fault.index) show_place(*fault.index);
+  if (fault.quantity == "text") show_remembered_place();
   return exit;
 }
 
@@ -189,10 +190,11 @@ int run_program(int count, const char* const* arguments) {
   });
   Commands commands;
   for (auto* const make :
-       {fit_command,     orbit_command, spline_command, hermite_command, corner_command,
-        loop_command,    climb_command, plan_command,   swarm_command,   separation_command,
-        offset_command,  frame_command, sweep_command,  codegen_command, sample_command,
-        inspect_command, check_command, plot_command,   batch_command,   version_command}) {
+       {fit_command,        orbit_command,   spline_command,   hermite_command, corner_command,
+        loop_command,       climb_command,   rational_command, plan_command,    swarm_command,
+        separation_command, offset_command,  frame_command,    sweep_command,   codegen_command,
+        sample_command,     inspect_command, check_command,    plot_command,    batch_command,
+        version_command}) {
     commands.push_back(make(program));
   }
   try {

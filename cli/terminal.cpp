@@ -18,6 +18,11 @@ std::string& typed_formula() {
   return formula;
 }
 
+std::string& typed_place() {
+  static std::string lines;
+  return lines;
+}
+
 }  // namespace
 
 std::string on_one_line(std::string_view text) {
@@ -40,6 +45,12 @@ void show_place(std::size_t index) {
   const std::string& formula = typed_formula();
   if (isatty(STDERR_FILENO) == 0 || formula.empty() || formula.size() > widest) return;
   std::fprintf(stderr, "  %s\n  %*s^\n", on_one_line(formula).c_str(), static_cast<int>(index), "");
+}
+
+void remember_place(const std::string& lines) { typed_place() = lines; }
+
+void show_remembered_place() {
+  if (isatty(STDERR_FILENO) != 0) std::fputs(typed_place().c_str(), stderr);
 }
 
 Progress::Progress(std::string what)

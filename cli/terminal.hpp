@@ -18,6 +18,11 @@ void remember_formula(const std::string& formula);
 /// On a terminal: the formula, and a caret under the character with this index.
 void show_place(std::size_t index);
 
+/// Remembers the line of a text with a mistake and the caret below it, and shows them on a
+/// terminal.
+void remember_place(const std::string& lines);
+void show_remembered_place();
+
 /// A progress line on standard error, rewritten in place; shown on a terminal alone, and only once
 /// the work has lasted a while. Wiped when the object goes.
 class Progress {

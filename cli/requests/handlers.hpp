@@ -22,6 +22,7 @@ Answer answer_loop(Members& request);
 Answer answer_plan(Members& request);
 Answer answer_swarm(Members& request);
 Answer answer_separation(Members& request);
+Answer answer_rational(Members& request);
 Answer answer_frame(Members& request);
 Answer answer_fit(Members& request);
 Answer answer_orbit(Members& request);

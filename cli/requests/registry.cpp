@@ -42,6 +42,8 @@ std::span<const RequestKind> request_kinds() {
                   answer_separation},
       RequestKind{"fit", "a path within a tolerance of a formula, samples or an orbit", answer_fit},
       RequestKind{"orbit", "a periodic orbit, corrected", answer_orbit},
+      RequestKind{"rational", "all rational PH curves of an indicatrix, a denominator and a degree",
+                  answer_rational},
       RequestKind{"frame", "an adapted frame along a path in space, and its twist", answer_frame},
       RequestKind{"evaluate", "everything at given points of a path", answer_evaluate},
       RequestKind{"sample", "points along a path", answer_sample},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstdlib>
 #include <utility>
 
 #include "echelon.hpp"
@@ -251,6 +252,22 @@ std::vector<VectorPolynomial> SolutionSpace::canonical_basis() const {
   }
   assert(result.size() == basis_.size());
   return result;
+}
+
+double SolutionSpace::canonical_basis_work() const {
+  double bits = 0.0;
+  for (const VectorPolynomial& b : basis_) {
+    slong largest = 0, denominator = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const fmpq_poly_struct* p = raw(b[c]);
+      largest = std::max(largest,
+                         std::abs(_fmpz_vec_max_bits(fmpq_poly_numref(p), fmpq_poly_length(p))));
+      denominator = std::max(denominator, static_cast<slong>(fmpz_bits(fmpq_poly_denref(p))));
+    }
+    bits += static_cast<double>(largest + denominator);
+  }
+  const auto rows = static_cast<double>(basis_.size());
+  return rows * rows * static_cast<double>(3 * (degree_ + 1)) * bits;
 }
 
 RationalPolynomial mu_of(const VectorPolynomial& b, const RationalPolynomial& alpha,

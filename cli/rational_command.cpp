@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// hodograph rational: all rational PH curves with a given indicatrix, denominator and degree.
+#include "cli/commands.hpp"
+
+#ifdef HODOGRAPH_HAS_RATIONAL
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/options.hpp"
+#include "cli/rationals.hpp"
+#include "cli/requests/batch.hpp"
+#include "cli/requests/members.hpp"
+#include "cli/terminal.hpp"
+#include "hodograph/io/file.hpp"
+#endif
+
+namespace hodograph::cli {
+
+#ifdef HODOGRAPH_HAS_RATIONAL
+namespace {
+
+struct RationalFlags {
+  std::vector<std::string> input, coefficients;
+  std::vector<double> interval;
+  std::size_t described = usual_described_curves;
+  std::string output = "-", picture, nurbs, path;
+  bool json = false, latex = false, examples = false;
+};
+
+[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
+  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
+                    std::nullopt});
+}
+
+/// Reads a text into the problem; on a terminal a mistake is pointed at.
+void read_text(RationalProblem& problem, const std::string& text, const std::string& name) {
+  try {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin != std::string::npos && text[begin] == '{') {
+      const Json json = parsed_json(text, name.empty() ? "the input" : name);
+      Members members(json, "", name.empty() ? "the input" : name);
+      define(problem, members);
+      members.require_all_known();
+    } else {
+      define(problem, text);
+    }
+  } catch (const Error& error) {
+    Fault fault = error.fault();
+    if (fault.quantity == "text" && fault.index) {
+      const TextPlace place = place_in(text, *fault.index);
+      remember_place(pointed_out(place));
+      if (!name.empty()) fault.sentence = name + ", " + fault.sentence;
+    }
+    throw Error(fault);
+  }
+}
+
+RationalProblem problem_of(const RationalFlags& flags) {
+  RationalProblem problem;
+  problem.described = flags.described;
+  for (const std::string& word : flags.input) {
+    // A definition, a JSON object, or the name of a file.
+    if (word != "-" && word.find_first_of("={\n") != std::string::npos) {
+      read_text(problem, word, "");
+    } else {
+      read_text(problem, read_file(word, longest_rational_text).value(), input_name(word));
+    }
+  }
+  for (const std::string& text : flags.coefficients) {
+    const auto value = parse_expression(text);
+    const auto number = value ? real_polynomial(*value, "a coefficient") : value.fault();
+    if (!number) refuse("coefficients: " + number.fault().sentence, "coefficients");
+    if (!number->is_constant()) refuse("coefficients are numbers; got " + text, "coefficients");
+    problem.coefficients.push_back(number->coefficient(0));
+  }
+  return problem;
+}
+
+/// The answers of the paper's examples, each with the curves that the paper prints.
+std::string examples_text(const RationalFlags& flags) {
+  std::string text;
+  Json list = Json::array();
+  std::vector<std::pair<std::string, std::string>> sections;
+  for (const PaperExample& example : paper_examples()) {
+    RationalProblem problem;
+    problem.described = flags.described;
+    define(problem, example.text);
+    const RationalAnswer answer = answer_of(problem);
+    Json json = {{"name", example.name}};
+    if (flags.json) json.update(json_of(answer));
+    std::string section = text_of(answer), latex = latex_of(answer);
+    json["printed"] = Json::array();
+    for (const auto& [label, r] : example.curves) {
+      RationalProblem one = problem;
+      one.described = 0;
+      define(one, "r = " + std::string(r));
+      DescribedCurve curve = *answer_of(one).chosen;
+      curve.name = "the paper's " + std::string(label);
+      section += text_of(curve);
+      latex += latex_of(curve);
+      if (flags.json) {
+        Json printed = {{"label", label}};
+        printed.update(json_of(curve));
+        json["printed"].push_back(std::move(printed));
+      }
+    }
+    list.push_back(std::move(json));
+    const std::string remark = example.remark;
+    text += (text.empty() ? "" : "\n\n") + std::string(example.name) + "\n" +
+            std::string(std::string(example.name).size(), '=') + "\n" + section +
+            (remark.empty() ? "" : "\n" + remark + "\n");
+    sections.emplace_back(example.name, latex);
+  }
+  if (flags.latex) return latex_document(sections);
+  if (!flags.json) return text;
+  std::string out;
+  append_json(out, {{"examples", std::move(list)}});
+  return out + "\n";
+}
+
+void write(const std::string& file, const std::string& text) {
+  if (const auto fault = write_file(file, text)) throw Error(*fault);
+}
+
+void run(const RationalFlags& flags) {
+  if (flags.json && flags.latex) refuse("--json and --latex exclude each other", "latex");
+  if (flags.examples) {
+    if (!flags.input.empty()) refuse("--examples takes no other input", "examples");
+    return write(flags.output, examples_text(flags));
+  }
+  if (flags.input.empty()) {
+    refuse(
+        "there is no input; right would be such as hodograph rational \"A = t^2 - (i+j)*t + k\" "
+        "\"alpha = t^3\" (see hodograph rational --help)",
+        "input");
+  }
+  const bool wants_interval = !flags.nurbs.empty() || !flags.path.empty();
+  if (wants_interval && flags.interval.empty()) {
+    refuse("--nurbs and --path need --interval A,B", "interval");
+  }
+  const RationalAnswer answer = answer_of(problem_of(flags));
+  std::string note;
+  std::optional<std::pair<double, double>> interval;
+  if (!flags.interval.empty()) interval = {flags.interval[0], flags.interval[1]};
+  if (!flags.picture.empty()) {
+    write(flags.picture, to_svg(rational_pictures(shown_curve(answer), interval), 2));
+    note += "wrote " + flags.picture + "\n";
+  }
+  if (!flags.nurbs.empty()) {
+    std::string text;
+    append_json(text, nurbs_of(shown_curve(answer), interval->first, interval->second));
+    write(flags.nurbs, text + "\n");
+    note += "wrote " + flags.nurbs + "\n";
+  }
+  if (!flags.path.empty()) {
+    const MadePath made = path_of(shown_curve(answer), interval->first, interval->second,
+                                  "r(t) = " + to_text(shown_curve(answer).curve.position()));
+    write(flags.path, to_json(made.document));
+    note += "wrote " + flags.path + "\n";
+  }
+  std::string text;
+  if (flags.json) {
+    append_json(text, json_of(answer));
+    text += "\n";
+  } else if (flags.latex) {
+    text = latex_document({{"", latex_of(answer)}});
+  } else {
+    text = text_of(answer);
+  }
+  write(flags.output, text);
+  if (flags.output != "-") note += "wrote " + flags.output + "\n";
+  const bool taken =
+      flags.output == "-" || flags.picture == "-" || flags.nurbs == "-" || flags.path == "-";
+  if (taken) {
+    std::fputs(note.c_str(), stderr);
+  } else {
+    print(note);
+  }
+}
+
+}  // namespace
+#endif
+
+std::unique_ptr<Command> rational_command(CLI::App& program) {
+  auto command = std::make_unique<Command>(
+      program, "rational", "Rational PH curves, exactly: all that share an indicatrix A i A*.");
+#ifdef HODOGRAPH_HAS_RATIONAL
+  auto flags = std::make_shared<RationalFlags>();
+  command->positional("input", flags->input, "[TEXT or FILE]...",
+                      "definitions such as \"A = t^2 - (i+j)*t + k\" and \"alpha = t^3\", files of "
+                      "them or of JSON ('-': standard input)");
+  command->group("The question");
+  command->flag("--examples", flags->examples, "the six examples of the paper, in its order");
+  command->option("--curves", flags->described, "N",
+                  "describe up to N curves of the basis in full (default 8)");
+  constexpr int most_coefficients = 1000;
+  command
+      ->option("--coefficients", flags->coefficients, "C1,C2,...",
+               "describe, draw and export this combination of the canonical basis")
+      .list(1, most_coefficients);
+  command->group("The answer");
+  command->flag("--json", flags->json, "as one line of JSON, all numbers exact");
+  command->flag("--latex", flags->latex, "as a LaTeX document");
+  command->option("-o,--out", flags->output, "FILE", "where it goes (default: standard output)");
+  command->group("The curve: r or f of the input, the combination, else the first that moves");
+  command->option("--interval", flags->interval, "A,B", "from t = A to t = B").list(2, 2);
+  command->option("--svg", flags->picture, "FILE",
+                  "three views and the speed, between the poles (default: the whole line)");
+  command->option("--nurbs", flags->nurbs, "FILE",
+                  "JSON: rational Bezier pieces and one NURBS curve over the interval");
+  command->option("--path", flags->path, "FILE",
+                  "a polynomial curve over the interval as a path document");
+  command->examples(
+      {"hodograph rational \"A = t^2 - (i+j)*t + k\" \"alpha = t^3\"",
+       "hodograph rational \"A = t^2 - (i+j)*t + k; alpha = (t+1)^2; degree = 7\" --json",
+       "hodograph rational curve.txt --svg curve.svg --interval 1,4 --nurbs curve.json",
+       "hodograph rational --examples --latex -o examples.tex"});
+  command->note(
+      "A is a quaternion polynomial (units i, j, k), alpha the denominator of r = -2 B/alpha,\n"
+      "degree (deg B) how far to look; r = (x, y, z)/q is a curve to be examined, and f the\n"
+      "distance function of its osculating planes. Numbers are exact: 3/4, 0.25. See\n"
+      "docs/rational.md.");
+  command->run([flags] { run(*flags); });
+#else
+  command->examples({"hodograph rational --help"});
+  command->run([] {
+    throw Error(Fault{FaultCode::unsupported,
+                      "this program was built without rational curves (FLINT was missing)",
+                      std::nullopt, "rational", std::nullopt, std::nullopt});
+  });
+#endif
+  return command;
+}
+
+}  // namespace hodograph::cli

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: MIT
+#include "cli/rationals.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/requests/members.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+/// Zeros of λ are isolated while their work, degree² · bits of the numbers, stays below this: about
+/// a second for each curve, and so for all of them together.
+constexpr double largest_root_work = 0x1p22;
+
+/// Degree times bits of the numbers of A and of alpha, together: 16 times what degrees 64 with
+/// numbers of a word have.
+constexpr double largest_input_size = 0x1p16;
+
+[[noreturn]] void refuse(const std::string& sentence, const char* quantity,
+                         FaultCode code = FaultCode::malformed_document) {
+  throw Error(Fault{code, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
+}
+
+/// The value, or its fault with the place in the text.
+template <class T>
+T taken(Result<T> value, std::string_view text, std::size_t index) {
+  if (value) return *std::move(value);
+  Fault fault = value.fault();
+  const TextPlace place = place_in(text, index);
+  fault.sentence = "line " + std::to_string(place.line) + ", column " +
+                   std::to_string(place.column) + ": " + fault.sentence;
+  fault.index = index;
+  fault.quantity = "text";
+  throw Error(fault);
+}
+
+/// A list of coefficients, "p/q", "0.5" or whole numbers, the constant one first.
+RationalPolynomial polynomial_of(const Json& list, Members& members, std::string_view name) {
+  std::vector<Rational> coefficients;
+  for (const Json& item : list) {
+    if (item.is_number_integer()) {
+      coefficients.push_back(Rational::parse(item.dump()).value());
+    } else if (item.is_number_float() && item.get<double>() == 0.0) {
+      coefficients.emplace_back(0);  // "-0"
+    } else if (item.is_string()) {
+      const auto& text = item.get_ref<const std::string&>();
+      if (text.size() > most_text_digits) {
+        members.refuse(name, "a coefficient has " + std::to_string(text.size()) +
+                                 " characters; at most " + std::to_string(most_text_digits) +
+                                 " are offered");
+      }
+      const auto value = Rational::parse(text);
+      if (!value) members.refuse(name, value.fault().sentence);
+      coefficients.push_back(*value);
+    } else {
+      members.refuse(name, "a coefficient should be a whole number, or a string such as \"-3/4\"");
+    }
+  }
+  if (coefficients.size() > largest_text_degree + 1) {
+    members.refuse(name, "there are " + std::to_string(coefficients.size()) +
+                             " coefficients; at most " + std::to_string(largest_text_degree + 1) +
+                             " are offered");
+  }
+  return RationalPolynomial(coefficients);
+}
+
+std::vector<RationalPolynomial> polynomials_of(const Json& list, std::size_t count,
+                                               Members& members, std::string_view name) {
+  const bool fits =
+      list.is_array() && list.size() == count &&
+      std::all_of(list.begin(), list.end(), [](const Json& p) { return p.is_array(); });
+  if (!fits) {
+    members.refuse(name, "should be text, or " + std::to_string(count) + " lists of coefficients");
+  }
+  std::vector<RationalPolynomial> result;
+  for (const Json& p : list) result.push_back(polynomial_of(p, members, name));
+  return result;
+}
+
+Json json_in(Members& members, std::string_view name) {
+  return Json::parse(members.json_text(name));
+}
+
+/// The polynomial that is a list of coefficients.
+RationalPolynomial scalar_of(const Json& list, Members& members, std::string_view name) {
+  if (!list.is_array()) members.refuse(name, "should be text, or a list of coefficients");
+  return polynomial_of(list, members, name);
+}
+
+/// Numerator and denominator of a JSON object.
+template <class Numerator>
+auto fraction_of(const Json& value, Members& members, std::string_view name,
+                 const Numerator& numerator) {
+  const bool fits = value.is_object() && value.size() == 2 && value.contains("numerator") &&
+                    value.contains("denominator");
+  if (!fits) {
+    members.refuse(name, "should be text, or an object with \"numerator\" and \"denominator\"");
+  }
+  RationalPolynomial denominator = scalar_of(value["denominator"], members, name);
+  if (denominator.is_zero()) members.refuse(name, "the denominator is 0");
+  return std::pair(numerator(value["numerator"]), std::move(denominator));
+}
+
+/// The text of a member, as an expression. Throws Error that names the member.
+QuaternionFunction expression_of(const Json& value, Members& members, std::string_view name) {
+  auto result = parse_expression(value.get_ref<const std::string&>());
+  if (!result) members.refuse(name, result.fault().sentence);
+  return *std::move(result);
+}
+template <class T>
+T taken(Result<T> value, Members& members, std::string_view name) {
+  if (!value) members.refuse(name, value.fault().sentence);
+  return *std::move(value);
+}
+
+/// The least degree whose space holds a truly rational curve; of a polynomial one if there is none.
+std::size_t least_degree(const QuaternionPolynomial& a, const RationalPolynomial& alpha,
+                         const Existence& existence) {
+  const std::size_t most = existence.alpha_degree + existence.indicatrix_degree;
+  if (!existence.exists) return most + 1;
+  std::size_t below = 0, enough = most;  // spaces are nested
+  while (below < enough) {
+    const std::size_t middle = (below + enough) / 2;
+    if (solve(a, alpha, middle).value().rational_dimension() > 0) {
+      enough = middle;
+    } else {
+      below = middle + 1;
+    }
+  }
+  return enough;
+}
+
+DescribedCurve described(RationalPhCurve curve, const std::string& name,
+                         std::optional<std::size_t> index, double& root_work) {
+  std::optional<std::vector<RealRoot>> stationary;
+  const RationalPolynomial& zeros = curve.lambda().numerator();
+  const double degree = std::max(0, zeros.degree());
+  const double work = degree * degree * static_cast<double>(zeros.bits());
+  if (work <= root_work) {
+    root_work -= work;
+    stationary = curve.stationary_points();
+  }
+  std::optional<RationalFunction> planes;
+  if (!curve.is_planar()) planes = curve.osculating_planes();
+  RationalIntegral length = curve.arc_length();
+  std::vector<RealRoot> poles = curve.poles();
+  DualQuaternionPolynomial motion = curve.motion();
+  RationalPhCurve::Decomposition decomposition = curve.decomposition();
+  return {name,
+          index,
+          std::move(curve),
+          std::move(length),
+          std::move(poles),
+          std::move(stationary),
+          std::move(planes),
+          std::move(motion),
+          std::move(decomposition)};
+}
+
+std::vector<DegreeRow> rows_of(const SolutionSpace& space, const Existence& existence,
+                               const std::optional<std::vector<VectorPolynomial>>& basis) {
+  const std::size_t m = existence.alpha_degree, e = existence.indicatrix_degree;
+  std::vector<DegreeRow> rows;
+  for (std::size_t d = basis ? 0 : space.degree(); d <= space.degree(); ++d) {
+    DegreeRow row{d, space.dimension()};
+    if (basis) {  // the elements of degree d and less are the canonical basis of V_d
+      row.dimension = static_cast<std::size_t>(std::count_if(
+          basis->begin(), basis->end(),
+          [d](const VectorPolynomial& b) { return degree(b) <= static_cast<int>(d); }));
+    }
+    row.points = d >= m ? 3 : 0;
+    row.polynomials = d > m + e ? d - m - e : 0;
+    row.predicted = existence.dimension(d);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Σ c_i r_i over the canonical basis.
+RationalPhCurve combination(const RationalAnswer& answer) {
+  const auto& c = answer.problem.coefficients;
+  if (!answer.basis)
+    refuse("coefficients need the canonical basis: " + answer.basis_refused, "coefficients",
+           FaultCode::unsupported);
+  if (c.size() != answer.basis->size()) {
+    refuse("the basis has " + std::to_string(answer.basis->size()) + " elements and there are " +
+               std::to_string(c.size()) + " coefficients; give one each",
+           "coefficients", FaultCode::mismatched_size);
+  }
+  VectorPolynomial sum;
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    sum = sum + RationalPolynomial(c[i]) * (*answer.basis)[i];
+  }
+  return RationalPhCurve::create(answer.space.preimage(), answer.space.alpha(), sum).value();
+}
+
+void require_degree(const std::string& what, int degree, std::size_t most) {
+  if (degree <= static_cast<int>(most)) return;
+  refuse(what + " has degree " + std::to_string(degree) + "; at most " + std::to_string(most) +
+             " is offered",
+         "degree", FaultCode::unsupported);
+}
+/// Refuses what would take hours, before anything is computed.
+void require_small(const RationalProblem& problem) {
+  if (problem.degree) {
+    require_degree("B", static_cast<int>(std::min<std::size_t>(*problem.degree, 1'000'000'000)),
+                   largest_solution_degree);
+  }
+  require_degree("A", degree(*problem.a), largest_input_degree);
+  std::size_t bits = 0;
+  for (std::size_t c = 0; c < 4; ++c) bits = std::max(bits, (*problem.a)[c].bits());
+  double size = std::max(1, degree(*problem.a)) * static_cast<double>(bits);
+  if (problem.alpha) {
+    require_degree("alpha", problem.alpha->degree(), largest_input_degree);
+    size += std::max(1, problem.alpha->degree()) * static_cast<double>(problem.alpha->bits());
+  }
+  if (size > largest_input_size) {
+    refuse("the numbers of A and alpha are too large: degree times bits is " +
+               std::to_string(static_cast<long long>(size)) + "; at most " +
+               std::to_string(static_cast<long long>(largest_input_size)) + " is offered",
+           "A", FaultCode::unsupported);
+  }
+}
+
+}  // namespace
+
+void define(RationalProblem& problem, std::string_view text) {
+  auto definitions = parse_definitions(text);
+  if (!definitions) throw Error(definitions.fault());
+  const auto twice = [&](bool known, const TextDefinition& d) {
+    if (known) {
+      const TextPlace place = place_in(text, d.index);
+      throw Error(Fault{FaultCode::malformed_document,
+                        "line " + std::to_string(place.line) + ": '" + d.name + "' is given twice",
+                        d.index, "text", std::nullopt, std::nullopt});
+    }
+  };
+  for (const TextDefinition& d : *definitions) {
+    if (d.name == "A") {
+      twice(problem.a.has_value(), d);
+      problem.a = taken(quaternion_polynomial(d.value, "A"), text, d.index);
+    } else if (d.name == "alpha") {
+      twice(problem.alpha.has_value(), d);
+      problem.alpha = taken(real_polynomial(d.value, "alpha"), text, d.index);
+    } else if (d.name == "degree") {
+      twice(problem.degree.has_value(), d);
+      problem.degree =
+          taken(whole_number(d.value, "the degree of B", largest_solution_degree), text, d.index);
+    } else if (d.name == "r") {
+      twice(problem.curve.has_value(), d);
+      problem.curve = taken(vector_function(d.value, "r"), text, d.index);
+    } else if (d.name == "f") {
+      twice(problem.planes.has_value(), d);
+      problem.planes = taken(real_function(d.value, "f"), text, d.index);
+    }
+  }
+}
+
+void define(RationalProblem& problem, Members& members) {
+  if (members.has("A")) {
+    const Json value = json_in(members, "A");
+    if (value.is_string()) {
+      problem.a =
+          taken(quaternion_polynomial(expression_of(value, members, "A"), "A"), members, "A");
+    } else {
+      auto p = polynomials_of(value, 4, members, "A");
+      problem.a = QuaternionPolynomial{p[0], p[1], p[2], p[3]};
+    }
+  }
+  if (members.has("alpha")) {
+    const Json value = json_in(members, "alpha");
+    problem.alpha = value.is_string()
+                        ? taken(real_polynomial(expression_of(value, members, "alpha"), "alpha"),
+                                members, "alpha")
+                        : scalar_of(value, members, "alpha");
+  }
+  if (members.has("degree")) {
+    problem.degree = members.count("degree");
+  }
+  if (members.has("r")) {
+    const Json value = json_in(members, "r");
+    if (value.is_string()) {
+      problem.curve = taken(vector_function(expression_of(value, members, "r"), "r"), members, "r");
+    } else {
+      const auto [p, q] = fraction_of(value, members, "r", [&](const Json& list) {
+        auto c = polynomials_of(list, 3, members, "r");
+        return VectorPolynomial{c[0], c[1], c[2]};
+      });
+      problem.curve = VectorFunction(p, q);
+    }
+  }
+  if (members.has("f")) {
+    const Json value = json_in(members, "f");
+    if (value.is_string()) {
+      problem.planes = taken(real_function(expression_of(value, members, "f"), "f"), members, "f");
+    } else {
+      const auto [p, q] = fraction_of(
+          value, members, "f", [&](const Json& list) { return scalar_of(list, members, "f"); });
+      problem.planes = RationalFunction(p, q);
+    }
+  }
+  if (members.has("coefficients")) {
+    const Json value = json_in(members, "coefficients");
+    const RationalPolynomial list = scalar_of(value, members, "coefficients");
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      problem.coefficients.push_back(list.coefficient(i));
+    }
+  }
+  problem.described = members.count("curves", problem.described);
+}
+
+RationalAnswer answer_of(const RationalProblem& problem) {
+  if (!problem.a) refuse("A is missing; right would be such as A = t^2 - (i+j)*t + k", "A");
+  std::optional<RationalPhCurve> chosen;
+  std::string chosen_name = "the curve r";
+  if (problem.curve.has_value() + problem.planes.has_value() + !problem.coefficients.empty() > 1) {
+    refuse("r, f and coefficients exclude each other; give one of them", "r");
+  }
+  require_small(problem);
+  if (problem.curve) chosen = RationalPhCurve::create(*problem.a, *problem.curve).value();
+  if (problem.planes) {
+    chosen = RationalPhCurve::from_osculating_planes(*problem.a, *problem.planes).value();
+    chosen_name = "the curve of the planes f";
+  }
+  if (!problem.alpha && !chosen) {
+    refuse("alpha is missing; right would be such as alpha = t^3, or a curve r, or planes f",
+           "alpha");
+  }
+  if (chosen) {
+    require_degree("the denominator of " + chosen_name, chosen->position().denominator().degree(),
+                   largest_input_degree);
+  }
+  const RationalPolynomial alpha =
+      problem.alpha ? *problem.alpha : chosen->position().denominator();
+  Existence found = existence(*problem.a, alpha).value();
+  const std::size_t wanted =
+      problem.degree ? *problem.degree : least_degree(*problem.a, alpha, found);
+  RationalAnswer answer{problem, solve(*problem.a, alpha, wanted).value(), std::move(found)};
+  const SolutionSpace& space = answer.space;
+  if (space.canonical_basis_work() <= largest_canonical_basis_work) {
+    answer.basis = space.canonical_basis();
+  } else {
+    answer.basis_refused = "the canonical basis has " + std::to_string(space.dimension()) +
+                           " elements of degree " + std::to_string(wanted) +
+                           " whose numbers become too large; right would be a smaller degree";
+  }
+  answer.rows = rows_of(space, answer.existence, answer.basis);
+
+  double root_work = largest_root_work;
+  const std::vector<VectorPolynomial>& elements = answer.basis ? *answer.basis : space.basis();
+  const std::string origin = answer.basis ? "canonical" : "compact";
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (kind_of(elements[i], alpha) == CurveKind::constant) continue;
+    if (answer.curves.size() >= problem.described) {
+      ++answer.curves_left_out;
+      continue;
+    }
+    answer.curves.push_back(
+        described(RationalPhCurve::create(space.preimage(), alpha, elements[i]).value(),
+                  "curve " + std::to_string(i + 1) + " of the " + origin + " basis", i, root_work));
+  }
+  if (!problem.coefficients.empty()) {
+    chosen = combination(answer);
+    chosen_name = "the combination";
+  }
+  if (chosen) {
+    root_work = largest_root_work;
+    answer.chosen = described(*std::move(chosen), chosen_name, std::nullopt, root_work);
+  }
+  const auto any = RationalPhCurve::create(space.preimage(), VectorFunction()).value();
+  answer.inflections = any.inflections();
+  answer.torsion_zeros = any.torsion_zeros();
+  return answer;
+}
+
+const DescribedCurve& shown_curve(const RationalAnswer& answer) {
+  if (answer.chosen) return *answer.chosen;
+  for (const DescribedCurve& c : answer.curves) {
+    if (c.curve.kind() == CurveKind::rational) return c;
+  }
+  if (answer.curves.empty()) {
+    refuse(
+        "the space holds no curve but points, and nothing can be shown of it; right would be a "
+        "larger degree",
+        "degree", FaultCode::outside_domain);
+  }
+  return answer.curves.front();
+}
+
+}  // namespace hodograph::cli
