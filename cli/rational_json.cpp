@@ -6,8 +6,6 @@
 #include "cli/rationals.hpp"
 
 namespace hodograph::cli {
-namespace {
-
 Json json_of(const RationalPolynomial& p) {
   Json list = Json::array();
   for (const Rational& c : p.coefficients()) list.push_back(to_text(c));
@@ -20,15 +18,6 @@ Json json_of(const VectorPolynomial& v) {
 Json json_of(const QuaternionPolynomial& a) {
   return Json::array({json_of(a.w), json_of(a.x), json_of(a.y), json_of(a.z)});
 }
-template <class Function>
-Json json_of_fraction(const Function& f) {
-  return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
-}
-Json json_of(const std::vector<RationalPolynomial>& list) {
-  Json json = Json::array();
-  for (const RationalPolynomial& p : list) json.push_back(json_of(p));
-  return json;
-}
 Json json_of(const RealRoot& root) {
   const double value = root.to_double();
   return {{"value", std::isfinite(value) ? Json(value) : Json()},
@@ -38,9 +27,21 @@ Json json_of(const RealRoot& root) {
           {"upper", to_text(root.upper())},
           {"factor", json_of(root.factor())}};
 }
+
+namespace {
+
+template <class Function>
+Json json_of_fraction(const Function& f) {
+  return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
+}
+Json json_of(const std::vector<RationalPolynomial>& list) {
+  Json json = Json::array();
+  for (const RationalPolynomial& p : list) json.push_back(cli::json_of(p));
+  return json;
+}
 Json json_of(const std::vector<RealRoot>& roots) {
   Json json = Json::array();
-  for (const RealRoot& root : roots) json.push_back(json_of(root));
+  for (const RealRoot& root : roots) json.push_back(cli::json_of(root));
   return json;
 }
 
@@ -88,6 +89,8 @@ Json json_of(const DescribedCurve& described) {
   json["decomposition"] = {{"pieces", std::move(pieces)},
                            {"polynomial_lambda", json_of(parts.polynomial_lambda)},
                            {"constant", json_of(parts.constant)}};
+  Json& coordinates = json["coordinates"] = Json();
+  for (const Rational& c : described.coordinates) coordinates.push_back(to_text(c));
   return json;
 }
 
@@ -125,6 +128,12 @@ Json json_of(const RationalAnswer& answer) {
                        {"reason", answer.existence.reason},
                        {"freedom", answer.existence.freedom},
                        {"strata", std::move(strata)}};
+  Json& taylor = json["taylor"] = Json::array();
+  for (const TaylorRow& row : answer.taylor) {
+    Json f = Json::array();
+    for (const VectorPolynomial& v : row.coefficients) f.push_back(json_of(v));
+    taylor.push_back({{"factor", json_of(row.factor)}, {"order", row.order}, {"f", std::move(f)}});
+  }
   json["dimension"] = json_of(answer.rows.back());
   Json& rows = json["dimensions"] = Json::array();
   for (const DegreeRow& row : answer.rows) rows.push_back(json_of(row));

@@ -28,6 +28,34 @@ void append(std::string& out, const Rows& rows, const std::string& indent) {
   }
 }
 
+bool is_one_term(const std::string& text) {
+  return text.find(' ') == std::string::npos && text.find('/') == std::string::npos;
+}
+/// The polynomial as a product over its irreducible factors.
+std::string factored(const RationalPolynomial& p) {
+  if (p.is_constant()) return to_text(p);
+  std::string product = p.leading() == Rational(1) ? "" : to_text(p.leading());
+  for (const PolynomialFactor& f : irreducible_factors(p)) {
+    const std::string base = to_text(f.factor);
+    product += (product.empty() ? "" : "*") + (is_one_term(base) ? base : "(" + base + ")");
+    if (f.multiplicity > 1) product += "^" + std::to_string(f.multiplicity);
+  }
+  return product;
+}
+/// "numerator/denominator", as it can be typed.
+std::string over(const std::string& numerator, const RationalPolynomial& denominator) {
+  if (denominator.is_one()) return numerator;
+  const std::string below = factored(denominator);
+  const bool product = below.find('*') != std::string::npos;
+  const bool list = numerator[0] == '(';
+  return (list || is_one_term(numerator) ? numerator : "(" + numerator + ")") + "/" +
+         (product ? "(" + below + ")" : below);
+}
+std::string shown(const RationalFunction& f) {
+  return over(to_text(f.numerator()), f.denominator());
+}
+std::string shown(const VectorFunction& r) { return over(to_text(r.numerator()), r.denominator()); }
+
 std::string place_of(const RealRoot& root) {
   if (root.is_rational()) return "t = " + to_text(root.lower());
   return "t = " + to_six_digits(root.to_double()) + ", a root of " + shown(to_text(root.factor()));
@@ -90,18 +118,18 @@ std::string text_of(const DescribedCurve& described) {
   const RationalPhCurve& curve = described.curve;
   std::string text = "\n" + described.name + ", " + kind_in_words(curve.kind()) + "\n";
   text[1] = static_cast<char>(text[1] == 'c' ? 'C' : text[1] == 't' ? 'T' : text[1]);
-  Rows rows = {{"r(t)", to_text(curve.position())}};
+  Rows rows = {{"r(t)", shown(curve.position())}};
   if (curve.kind() == CurveKind::constant) {
     append(text, rows, "  ");
     return text;
   }
-  rows.emplace_back("lambda", to_text(curve.lambda()));
-  rows.emplace_back("speed", to_text(curve.speed()));
+  rows.emplace_back("lambda", shown(curve.lambda()));
+  rows.emplace_back("speed", shown(curve.speed()));
   rows.emplace_back("arc length",
                     described.length.obstruction.is_zero()
-                        ? "rational: " + to_text(described.length.rational)
+                        ? "rational: " + shown(described.length.rational)
                         : "not rational: the part with simple poles is the integral of " +
-                              to_text(described.length.obstruction));
+                              shown(described.length.obstruction));
   rows.emplace_back("poles", places_of(described.poles, order_of));
   if (described.stationary) {
     rows.emplace_back("cusps", places_of(*described.stationary, [](const RealRoot& root) {
@@ -112,18 +140,29 @@ std::string text_of(const DescribedCurve& described) {
     rows.emplace_back("cusps", "the numerator of lambda is too large to isolate its zeros here");
   }
   rows.emplace_back("planes u.x = f",
-                    described.planes ? "f = " + to_text(*described.planes) : "the curve is planar");
+                    described.planes ? "f = " + shown(*described.planes) : "the curve is planar");
   rows.emplace_back("motion", motion_of(described.motion));
   const auto& parts = described.decomposition;
   if (parts.pieces.size() > 1 || !parts.polynomial_lambda.is_zero()) {
     for (const auto& piece : parts.pieces) {
-      rows.emplace_back("part at " + to_text(piece.pole), to_text(piece.curve));
+      rows.emplace_back("part at " + to_text(piece.pole), shown(piece.curve));
     }
     if (!parts.polynomial_lambda.is_zero()) {
       rows.emplace_back("polynomial part",
                         "the integral of (" + to_text(parts.polynomial_lambda) + ")*F");
     }
     rows.emplace_back("constant", to_text(parts.constant));
+  }
+  if (!described.coordinates.empty()) {
+    std::string sum;
+    for (std::size_t n = 0; n < described.coordinates.size(); ++n) {
+      const Rational& c = described.coordinates[n];
+      if (c.is_zero()) continue;
+      sum += c.sign() < 0 ? (sum.empty() ? "-" : " - ") : (sum.empty() ? "" : " + ");
+      const Rational size = c.sign() < 0 ? -c : c;
+      sum += (size == Rational(1) ? "" : to_text(size) + "*") + "B" + std::to_string(n + 1);
+    }
+    rows.emplace_back("in the basis", "B = " + (sum.empty() ? "0" : sum));
   }
   append(text, rows, "  ");
   return text;
@@ -133,7 +172,7 @@ std::string text_of(const RationalAnswer& answer) {
   const SolutionSpace& space = answer.space;
   const Reduction& reduction = space.preimage_reduction();
   std::string text;
-  Rows rows = {{"A", to_text(*answer.problem.a)}, {"alpha", to_text(space.alpha())}};
+  Rows rows = {{"A", to_text(*answer.problem.a)}, {"alpha", factored(space.alpha())}};
   if (reduction.was_reduced()) {
     rows.emplace_back("", "A is reduced with respect to i");
   } else {
@@ -156,10 +195,22 @@ std::string text_of(const RationalAnswer& answer) {
   if (!reason.empty() && reason[0] >= 'a' && reason[0] <= 'z') {
     reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
   }
-  text += "\n" + shown(reason) + ".\n\n" + table_of(answer.rows);
+  text += "\n" + shown(reason) + ".\n";
+  for (const TaylorRow& row : answer.taylor) {
+    std::string f;
+    for (std::size_t k = 0; k < row.coefficients.size(); ++k) {
+      f += (k == 0 ? "" : ", ") + std::string("f_") + std::to_string(k) + " = " +
+           to_text(row.coefficients[k]);
+    }
+    const std::string place = row.factor.degree() == 1
+                                  ? "t = " + to_text(-row.factor.coefficient(0))
+                                  : "a root t of " + to_text(row.factor);
+    text += "  F at " + place + ": " + shown(f) + "\n";
+  }
+  text += "\n" + table_of(answer.rows);
 
   text += "\nDegree " + std::to_string(space.degree()) + ": r = -2 B/alpha, lambda = h/(" +
-          shown(to_text(space.alpha().monic() * space.radical())) + ")\n";
+          shown(factored(space.alpha().monic() * space.radical())) + ")\n";
   if (answer.basis) {
     for (std::size_t i = 0; i < answer.basis->size(); ++i) {
       const VectorPolynomial& b = (*answer.basis)[i];

@@ -155,7 +155,50 @@ DescribedCurve described(RationalPhCurve curve, const std::string& name,
           std::move(stationary),
           std::move(planes),
           std::move(motion),
-          std::move(decomposition)};
+          std::move(decomposition),
+          {}};
+}
+
+/// The place of the first coefficient that is not 0, by falling degree, then x, y, z.
+std::pair<int, std::size_t> pivot_of(const VectorPolynomial& b) {
+  const int d = degree(b);
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (b[c].degree() == d) return {d, c};
+  }
+  return {d, 0};
+}
+
+/// What multiples of the basis sum up to B = -α r / 2: its coefficients at the pivots.
+std::vector<Rational> coordinates_of(const RationalPhCurve& curve, const RationalPolynomial& alpha,
+                                     const std::vector<VectorPolynomial>& basis) {
+  const RationalPolynomial& q = curve.position().denominator();
+  if (!divides(q, alpha)) return {};
+  const VectorPolynomial b =
+      (RationalPolynomial(Rational(-1, 2)) * (alpha / q)) * curve.position().numerator();
+  std::vector<Rational> coordinates;
+  VectorPolynomial rest = b;
+  for (const VectorPolynomial& element : basis) {
+    const auto [d, c] = pivot_of(element);
+    coordinates.push_back(b[c].coefficient(static_cast<std::size_t>(d)));
+    if (!coordinates.back().is_zero()) {
+      rest = rest - RationalPolynomial(coordinates.back()) * element;
+    }
+  }
+  if (degree(rest) >= 0) return {};
+  return coordinates;
+}
+
+std::vector<TaylorRow> taylor_of(const SolutionSpace& space) {
+  std::vector<TaylorRow> rows;
+  for (const PolynomialFactor& q : irreducible_factors(space.alpha())) {
+    TaylorRow row{q.factor, q.multiplicity, {}};
+    for (std::size_t k = 0; k <= q.multiplicity; ++k) {
+      const VectorPolynomial f = taylor_coefficient(space.indicatrix(), k);
+      row.coefficients.push_back({f.x % q.factor, f.y % q.factor, f.z % q.factor});
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
 std::vector<DegreeRow> rows_of(const SolutionSpace& space, const Existence& existence,
@@ -257,24 +300,26 @@ void define(RationalProblem& problem, std::string_view text) {
   }
 }
 
+RationalPolynomial polynomial_member(Members& members, std::string_view name) {
+  const Json value = json_in(members, name);
+  if (!value.is_string()) return scalar_of(value, members, name);
+  return taken(real_polynomial(expression_of(value, members, name), std::string(name)), members,
+               name);
+}
+
+QuaternionPolynomial quaternion_member(Members& members, std::string_view name) {
+  const Json value = json_in(members, name);
+  if (value.is_string()) {
+    return taken(quaternion_polynomial(expression_of(value, members, name), std::string(name)),
+                 members, name);
+  }
+  auto p = polynomials_of(value, 4, members, name);
+  return {p[0], p[1], p[2], p[3]};
+}
+
 void define(RationalProblem& problem, Members& members) {
-  if (members.has("A")) {
-    const Json value = json_in(members, "A");
-    if (value.is_string()) {
-      problem.a =
-          taken(quaternion_polynomial(expression_of(value, members, "A"), "A"), members, "A");
-    } else {
-      auto p = polynomials_of(value, 4, members, "A");
-      problem.a = QuaternionPolynomial{p[0], p[1], p[2], p[3]};
-    }
-  }
-  if (members.has("alpha")) {
-    const Json value = json_in(members, "alpha");
-    problem.alpha = value.is_string()
-                        ? taken(real_polynomial(expression_of(value, members, "alpha"), "alpha"),
-                                members, "alpha")
-                        : scalar_of(value, members, "alpha");
-  }
+  if (members.has("A")) problem.a = quaternion_member(members, "A");
+  if (members.has("alpha")) problem.alpha = polynomial_member(members, "alpha");
   if (members.has("degree")) {
     problem.degree = members.count("degree");
   }
@@ -308,6 +353,11 @@ void define(RationalProblem& problem, Members& members) {
     }
   }
   problem.described = members.count("curves", problem.described);
+}
+
+DescribedCurve described_curve(RationalPhCurve curve, const std::string& name) {
+  double root_work = largest_root_work;
+  return described(std::move(curve), name, std::nullopt, root_work);
 }
 
 RationalAnswer answer_of(const RationalProblem& problem) {
@@ -346,6 +396,7 @@ RationalAnswer answer_of(const RationalProblem& problem) {
                            " whose numbers become too large; right would be a smaller degree";
   }
   answer.rows = rows_of(space, answer.existence, answer.basis);
+  answer.taylor = taylor_of(space);
 
   double root_work = largest_root_work;
   const std::vector<VectorPolynomial>& elements = answer.basis ? *answer.basis : space.basis();
@@ -365,8 +416,10 @@ RationalAnswer answer_of(const RationalProblem& problem) {
     chosen_name = "the combination";
   }
   if (chosen) {
-    root_work = largest_root_work;
-    answer.chosen = described(*std::move(chosen), chosen_name, std::nullopt, root_work);
+    answer.chosen = described_curve(*std::move(chosen), chosen_name);
+    if (answer.basis) {
+      answer.chosen->coordinates = coordinates_of(answer.chosen->curve, alpha, *answer.basis);
+    }
   }
   const auto any = RationalPhCurve::create(space.preimage(), VectorFunction()).value();
   answer.inflections = any.inflections();

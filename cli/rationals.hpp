@@ -56,6 +56,17 @@ struct DescribedCurve {
   std::optional<RationalFunction> planes{};         ///< f; nothing for planar curves
   DualQuaternionPolynomial motion;
   RationalPhCurve::Decomposition decomposition;
+  /// The curve is the sum of these multiples of the canonical basis; empty where it is not in the
+  /// space, or the basis is not known.
+  std::vector<Rational> coordinates{};
+};
+
+/// F around the roots of an irreducible factor q of α: f_k modulo q, whose value at a root is f_k
+/// there, F = Σ f_k (t - root)^k; k up to the order of the pole.
+struct TaylorRow {
+  RationalPolynomial factor;
+  std::size_t order = 1;
+  std::vector<VectorPolynomial> coefficients;
 };
 
 /// The dimension of V_degree, and what was predicted.
@@ -76,6 +87,7 @@ struct RationalAnswer {
   std::size_t curves_left_out = 0;
   std::optional<DescribedCurve> chosen{};                ///< r, f, or the combination
   std::vector<RealRoot> inflections{}, torsion_zeros{};  ///< of every curve
+  std::vector<TaylorRow> taylor{};
 };
 
 /// Throws Error.
@@ -84,6 +96,21 @@ RationalAnswer answer_of(const RationalProblem& problem);
 /// The curve that pictures and exports show: the chosen one, else the first that is truly rational,
 /// else the first that is no point. Throws Error (outside_domain) where there is none.
 const DescribedCurve& shown_curve(const RationalAnswer& answer);
+
+/// What is told of a curve; isolating the zeros of λ may take a second.
+DescribedCurve described_curve(RationalPhCurve curve, const std::string& name);
+
+/// The polynomial that a member of a request is, as text or as a list of coefficients. Throw Error.
+RationalPolynomial polynomial_member(Members& members, std::string_view name);
+QuaternionPolynomial quaternion_member(Members& members, std::string_view name);
+
+/// Exact numbers as strings, polynomials as lists of coefficients, a root with its isolating
+/// interval.
+Json json_of(const RationalPolynomial& p);
+Json json_of(const RationalVector& v);
+Json json_of(const VectorPolynomial& v);
+Json json_of(const QuaternionPolynomial& a);
+Json json_of(const RealRoot& root);
 
 /// The answer for people, for programs (docs/requests.md), and as a LaTeX document.
 std::string text_of(const RationalAnswer& answer);
