@@ -13,12 +13,9 @@
 namespace hodograph::frame_detail {
 namespace {
 
-constexpr std::size_t nodes = series_degree + 1;
-static_assert(nodes % 2 == 0);
-constexpr std::size_t half_nodes = nodes / 2;
-
 /// What the series need for polynomials of one degree, [coefficient][...]: Bernstein coefficients
 /// on [0, 1] to Chebyshev coefficients in x = 2u - 1, and to values at the nodes.
+template <std::size_t nodes>
 struct Tables {
   std::size_t size;
   std::vector<double> chebyshev, values;
@@ -68,16 +65,21 @@ struct Tables {
 
 constexpr std::size_t most_degree = 128;
 
-const Tables& tables(std::size_t degree) {
+template <std::size_t nodes>
+const Tables<nodes>& tables(std::size_t degree) {
   static std::array<std::once_flag, most_degree + 1> made;
-  static std::array<std::unique_ptr<const Tables>, most_degree + 1> store;
-  std::call_once(made[degree], [degree] { store[degree] = std::make_unique<Tables>(degree); });
+  static std::array<std::unique_ptr<const Tables<nodes>>, most_degree + 1> store;
+  std::call_once(made[degree],
+                 [degree] { store[degree] = std::make_unique<Tables<nodes>>(degree); });
   return *store[degree];
 }
 
 /// The interpolant's Chebyshev coefficients from the sums and differences of the values at x and
 /// -x: [j][k], for even coefficients 2k and odd ones 2k + 1.
+template <std::size_t nodes>
 struct Transform {
+  static_assert(nodes % 2 == 0);
+  static constexpr std::size_t half_nodes = nodes / 2;
   std::array<std::array<double, half_nodes>, half_nodes> even{}, odd{};
   Transform() {
     for (std::size_t j = 0; j < half_nodes; ++j) {
@@ -92,8 +94,10 @@ struct Transform {
   }
 };
 
+template <std::size_t nodes>
 std::array<double, nodes> interpolant(const std::array<double, nodes>& sample) {
-  static const Transform transform;
+  static const Transform<nodes> transform;
+  constexpr std::size_t half_nodes = nodes / 2;
   std::array<double, half_nodes> even{}, odd{};
   for (std::size_t j = 0; j < half_nodes; ++j) {
     const double sum = sample[j] + sample[nodes - 1 - j];
@@ -111,8 +115,8 @@ std::array<double, nodes> interpolant(const std::array<double, nodes>& sample) {
   return c;
 }
 
-template <class S>
-void chebyshev_coefficients(const Tables& t, const S* bernstein, S* result) {
+template <class S, std::size_t nodes>
+void chebyshev_coefficients(const Tables<nodes>& t, const S* bernstein, S* result) {
   for (std::size_t k = 0; k < t.size; ++k) result[k] = S(0.0);
   for (std::size_t i = 0; i < t.size; ++i) {
     const double* row = &t.chebyshev[i * t.size];
@@ -122,8 +126,8 @@ void chebyshev_coefficients(const Tables& t, const S* bernstein, S* result) {
   }
 }
 
-template <class S>
-std::array<double, nodes> values_at_nodes(const Tables& t, const S* bernstein) {
+template <class S, std::size_t nodes>
+std::array<double, nodes> values_at_nodes(const Tables<nodes>& t, const S* bernstein) {
   std::array<double, nodes> result{};
   for (std::size_t i = 0; i < t.size; ++i) {
     const double c = middle(bernstein[i]);
@@ -133,12 +137,14 @@ std::array<double, nodes> values_at_nodes(const Tables& t, const S* bernstein) {
   return result;
 }
 
-template <class S>
+template <class S, std::size_t nodes>
 class Expansion {
  public:
-  Expansion(const Fraction<S>& fraction, const std::function<bool(const RateSeries&)>& take)
-      : top_(tables(fraction.numerator.size() - 1)),
-        bottom_(tables(fraction.denominator.size() - 1)),
+  Expansion(const Fraction<S>& fraction, const std::function<bool(const RateSeries&)>& take,
+            double tolerance)
+      : tolerance_(std::max(tolerance, negligible)),
+        top_(tables<nodes>(fraction.numerator.size() - 1)),
+        bottom_(tables<nodes>(fraction.denominator.size() - 1)),
         take_(take),
         rows_((deepest + 2) * (top_.size + bottom_.size)),
         p_(top_.size),
@@ -199,7 +205,8 @@ class Expansion {
     auto sample = values_at_nodes(top_, numerator);
     const auto below = values_at_nodes(bottom_, denominator);
     for (std::size_t j = 0; j < nodes; ++j) sample[j] /= below[j];
-    const auto& c = series.c = interpolant(sample);
+    const std::array<double, nodes> c = interpolant(sample);
+    std::copy(c.begin(), c.end(), series.c.begin());
     double series_size = 0.0;
     for (const double x : c) series_size += std::abs(x);
     const double terms = static_cast<double>(2 * (nodes + bottom_.size) + 8);
@@ -207,7 +214,8 @@ class Expansion {
     if (!last &&
         !(std::abs(c[nodes - 1]) + std::abs(c[nodes - 2]) <=
           16.0 * terms * epsilon<double>() * series_size) &&
-        (series.end - series.begin) * series_size > negligible) {
+        (series.end - series.begin) * series_size > negligible &&
+        std::abs(c[nodes - 1]) + std::abs(c[nodes - 2]) > tolerance_) {
       return false;
     }
 
@@ -236,7 +244,7 @@ class Expansion {
     series.error = margin * found / least;
     if (!std::isfinite(series.error)) return false;
     return last || improvable <= rounding ||
-           (series.end - series.begin) * series.error <= negligible;
+           (series.end - series.begin) * series.error <= negligible || series.error <= tolerance_;
   }
 
   /// A bound of |P - p Q| where deg P < N and deg Q < 2N, N the number of nodes. At the nodes, the
@@ -287,8 +295,9 @@ class Expansion {
   /// Eight roundings of the largest coefficient of a denominator in doubles, which its coefficients
   /// may be off: below, nothing is known of its sign.
   double floor_ = 0.0;
-  const Tables& top_;
-  const Tables& bottom_;
+  double tolerance_;
+  const Tables<nodes>& top_;
+  const Tables<nodes>& bottom_;
   const std::function<bool(const RateSeries&)>& take_;
   std::vector<S> rows_, p_, q_, backwards_, sums_, differences_, residual_;
   std::size_t pieces_ = 0;
@@ -304,13 +313,13 @@ double moment(std::size_t k) {
 
 double integral(const RateSeries& piece) {
   double total = 0.0;
-  for (std::size_t k = nodes - 2; k >= 2; k -= 2) total += piece.c[k] * moment(k);
+  for (std::size_t k = series_degree - 1; k >= 2; k -= 2) total += piece.c[k] * moment(k);
   return 0.5 * (piece.end - piece.begin) * (total + 2.0 * piece.c[0]);
 }
 
 Enclosure enclosed_integral(const RateSeries& piece) {
   Enclosure total(0.0);
-  for (std::size_t k = 0; k < nodes; k += 2) {
+  for (std::size_t k = 0; k <= series_degree; k += 2) {
     const auto even = static_cast<double>(k);
     total = total + Enclosure(piece.c[k]) * (Enclosure(2.0) / Enclosure(1.0 - even * even));
   }
@@ -318,12 +327,19 @@ Enclosure enclosed_integral(const RateSeries& piece) {
   return (Enclosure(piece.end) - Enclosure(piece.begin)) * (Enclosure(0.5) * total + error);
 }
 
-bool expand(const Fraction<double>& fraction, const std::function<bool(const RateSeries&)>& take) {
-  return Expansion<double>(fraction, take).run();
+bool expand(const Fraction<double>& fraction, const std::function<bool(const RateSeries&)>& take,
+            double tolerance) {
+  constexpr std::size_t few = short_series_degree + 1;
+  // Where the remainder has a short form; longer polynomials gain nothing.
+  if (tolerance >= short_series_tolerance && fraction.numerator.size() <= few &&
+      fraction.denominator.size() <= 2 * few) {
+    return Expansion<double, few>(fraction, take, tolerance).run();
+  }
+  return Expansion<double, series_degree + 1>(fraction, take, tolerance).run();
 }
 bool expand(const Fraction<Enclosure>& fraction,
             const std::function<bool(const RateSeries&)>& take) {
-  return Expansion<Enclosure>(fraction, take).run();
+  return Expansion<Enclosure, series_degree + 1>(fraction, take, 0.0).run();
 }
 
 }  // namespace hodograph::frame_detail

@@ -21,6 +21,11 @@ struct Fraction {
 /// The degree of a series: shorter pieces (lower degrees) cost memory, longer ones time.
 inline constexpr std::size_t series_degree = 15;
 
+/// Where less than that is asked for: coefficients after this one are 0.
+inline constexpr std::size_t short_series_degree = 11;
+/// The finest tolerance, radians, for short series: finer ones take more pieces than long series.
+inline constexpr double short_series_tolerance = 0x1.0p-27;
+
 /// On [begin, end] the fraction is Σ c_k T_k(x), x = -1 at begin and 1 at end, within `error`.
 struct RateSeries {
   double begin = 0.0, end = 1.0;
@@ -44,7 +49,11 @@ Enclosure enclosed_integral(const RateSeries& piece);
 /// P - p Q is a polynomial: |P/Q - p| ≤ Σ |its Chebyshev coefficients| / (least Bernstein
 /// coefficient of Q). A piece is accepted where this is rounding: Σ |...| ≤ m ε (|p| |Q| + |P|), m
 /// the number of terms a coefficient has and |.| the sum of the sizes of Chebyshev coefficients.
-bool expand(const Fraction<double>& fraction, const std::function<bool(const RateSeries&)>& take);
+///
+/// With a tolerance τ > 0, radians, a piece of length h is accepted where h · error ≤ h τ, too: the
+/// integral over [0, 1] is then within τ; shorter series are tried where that is enough.
+bool expand(const Fraction<double>& fraction, const std::function<bool(const RateSeries&)>& take,
+            double tolerance = 0.0);
 bool expand(const Fraction<Enclosure>& fraction,
             const std::function<bool(const RateSeries&)>& take);
 

@@ -197,33 +197,36 @@ bool RollBuilder::append(SegmentRoll segment, double begin) {
                                 frame_detail::restricted(segment.rate.denominator, low, high)};
     const double length = high - low;
     if (!(length > 0.0)) continue;
-    const bool done = frame_detail::expand(part, [&](const RateSeries& rate) {
-      RateSeries local = rate;
-      local.begin = low + length * rate.begin;
-      local.end = rate.end == 1.0 ? high : low + length * rate.end;
-      // The series is by u of the part: a rate a unit of it.
-      for (double& c : local.c) c /= length;
-      const auto power = antiderivative(local);
-      double turn = 0.0;
-      for (const double c : power) turn += std::abs(c);
-      if (!(turn <= most_turn)) return false;
-      FrameRoll::Piece piece;
-      piece.begin = local.begin;
-      piece.center = 0.5 * (local.begin + local.end);
-      piece.scale = 2.0 / (local.end - local.begin);
-      std::copy(power.begin() + 1, power.end(), piece.coefficient.begin());
-      piece.middle = theta - polynomial(power, -1.0);
-      const double error = (rate.end - rate.begin) * rate.error;
-      if (by_argument) {
-        piece.middle = settled(piece.center, piece.middle);
-        sharpest = std::max(sharpest, 0.5 * error + argument_error(piece.center));
-      }
-      theta = piece.middle + polynomial(power, 1.0);
-      internal += error + 2.0 * epsilon<double>() * std::abs(theta);
-      largest_angle_ = std::max(largest_angle_, std::abs(theta));
-      roll_.pieces_.push_back(piece);
-      return true;
-    });
+    const bool done = frame_detail::expand(
+        part,
+        [&](const RateSeries& rate) {
+          RateSeries local = rate;
+          local.begin = low + length * rate.begin;
+          local.end = rate.end == 1.0 ? high : low + length * rate.end;
+          // The series is by u of the part: a rate a unit of it.
+          for (double& c : local.c) c /= length;
+          const auto power = antiderivative(local);
+          double turn = 0.0;
+          for (const double c : power) turn += std::abs(c);
+          if (!(turn <= most_turn)) return false;
+          FrameRoll::Piece piece;
+          piece.begin = local.begin;
+          piece.center = 0.5 * (local.begin + local.end);
+          piece.scale = 2.0 / (local.end - local.begin);
+          std::copy(power.begin() + 1, power.end(), piece.coefficient.begin());
+          piece.middle = theta - polynomial(power, -1.0);
+          const double error = (rate.end - rate.begin) * rate.error;
+          if (by_argument) {
+            piece.middle = settled(piece.center, piece.middle);
+            sharpest = std::max(sharpest, 0.5 * error + argument_error(piece.center));
+          }
+          theta = piece.middle + polynomial(power, 1.0);
+          internal += error + 2.0 * epsilon<double>() * std::abs(theta);
+          largest_angle_ = std::max(largest_angle_, std::abs(theta));
+          roll_.pieces_.push_back(piece);
+          return true;
+        },
+        segment.tolerance);
     if (!done) return false;
     if (by_argument) theta = settled(high, theta);
     if (high < 1.0) {

@@ -24,6 +24,8 @@ class RollBuilder {
     std::optional<frame_detail::Estimated> change{};
     /// u where θ jumps by -π, ascending in (0, 1).
     std::vector<double> flips{};
+    /// How far the series may be off over the segment, radians; 0: rounding.
+    double tolerance = 0.0;
   };
 
   RollBuilder(const PreimageTable& path, RollKind kind);

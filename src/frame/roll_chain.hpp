@@ -24,10 +24,11 @@ Result<std::vector<KnotTurn>> knot_turns(const PreimageTable& path);
 /// What to add to -2N: k, for the rate k σ² /σ - 2N/σ by u; nothing for 0.
 using EvenRate = std::function<double(std::size_t segment, const ScaledPreimage&)>;
 
-/// The roll with that rate from θ = begin, continuous as a frame.
+/// The roll with that rate from θ = begin, continuous as a frame; the series over the whole path
+/// within `tolerance` (0: rounding), radians.
 Result<FrameRoll> chained_roll(const PreimageTable& path, RollKind kind, double begin,
                                const std::vector<KnotTurn>& turns, const EvenRate& even,
-                               RollIntegration integration);
+                               RollIntegration integration, double tolerance = 0.0);
 
 /// The fault of an angle that is not finite.
 std::optional<Fault> angle_fault(double angle, const char* quantity);

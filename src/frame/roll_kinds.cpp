@@ -63,7 +63,8 @@ Result<std::vector<KnotTurn>> knot_turns(const PreimageTable& path) {
 
 Result<FrameRoll> chained_roll(const PreimageTable& path, RollKind kind, double begin,
                                const std::vector<KnotTurn>& turns, const EvenRate& even,
-                               RollIntegration integration) {
+                               RollIntegration integration, double tolerance) {
+  const double share = tolerance / static_cast<double>(path.segment_count());
   RollBuilder builder(path, kind);
   const ErfForms<double> forms(path.degree);
   double theta = begin;
@@ -72,6 +73,7 @@ Result<FrameRoll> chained_roll(const PreimageTable& path, RollKind kind, double 
     if (k > 0) theta = builder.end() + turns[k - 1].roll;
     Fraction<double> erf = forms.rate(preimage.a);
     RollBuilder::SegmentRoll segment;
+    segment.tolerance = share;
     if (!even) {
       if (auto helical = helical_part(preimage.a)) {
         segment.argument = std::move(helical->w);
@@ -116,6 +118,34 @@ Result<FrameRoll> rotation_minimising_roll(const PreimageTable& path, double beg
   if (!turns) return turns.fault();
   return frame_detail::chained_roll(path, RollKind::rotation_minimising, begin, *turns, {},
                                     integration);
+}
+
+Result<FrameRoll> rotation_minimising_roll_within(const PreimageTable& path, double accuracy,
+                                                  double begin) {
+  if (!(accuracy > 0.0)) {
+    return Fault{FaultCode::outside_domain,
+                 "the accuracy must be positive, in radians; got " + to_text(accuracy),
+                 std::nullopt,
+                 "accuracy",
+                 accuracy,
+                 0.0};
+  }
+  if (auto fault = frame_detail::angle_fault(begin, "begin")) return *std::move(fault);
+  const auto turns = frame_detail::knot_turns(path);
+  if (!turns) return turns.fault();
+  constexpr double share = 0.5;  // the other half for rounding
+  auto roll = frame_detail::chained_roll(path, RollKind::rotation_minimising, begin, *turns, {},
+                                         RollIntegration::series, share * accuracy);
+  if (roll && !(roll->error_bound() <= accuracy)) {
+    return Fault{FaultCode::tolerance_not_reached,
+                 "the roll is known within " + to_text(roll->error_bound()) +
+                     " rad, no better than rounding allows; got the accuracy " + to_text(accuracy),
+                 std::nullopt,
+                 "accuracy",
+                 accuracy,
+                 roll->error_bound()};
+  }
+  return roll;
 }
 
 Result<FrameRoll> least_twist_roll(const PreimageTable& path, double begin,

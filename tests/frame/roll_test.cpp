@@ -141,6 +141,42 @@ TEST(RotationMinimising, HelicalPathsInClosedForm) {
 
 /// A = p B with a real quadratic p without real zeros: σ = p² |B|² has double roots, where partial
 /// fractions lose their digits.
+TEST(RotationMinimising, KeepsTheAccuracyThatIsEnough) {
+  Random random("accuracy of rolls");
+  const auto expect_within = [&](const auto& path, double accuracy) {
+    const FrameRoll fine = rotation_minimising_roll(path).value();
+    const FrameRoll roll = rotation_minimising_roll_within(path, accuracy).value();
+    EXPECT_LE(roll.error_bound(), accuracy);
+    std::size_t pieces = 0, fine_pieces = 0;
+    for (std::size_t k = 0; k < path.segment_count(); ++k) {
+      pieces += roll.pieces(k).size();
+      fine_pieces += fine.pieces(k).size();
+      for (int i = 0; i < 16; ++i) {
+        const double xi = path.xi_of({k, random.unit()});
+        EXPECT_LE(std::abs(roll.angle(xi) - fine.angle(xi)),
+                  roll.error_bound() + fine.error_bound());
+      }
+    }
+    return pieces < fine_pieces;
+  };
+  int fewer = 0;
+  constexpr double accuracies[] = {0x1.0p-6, 0x1.0p-20, 0x1.0p-30, 0x1.0p-36};
+  for (const double accuracy : accuracies) {
+    fewer += expect_within(random_path<SpatialPath<2>>(random, 3), accuracy) ? 1 : 0;
+    fewer += expect_within(random_path<SpatialPath<3>>(random, 20), accuracy) ? 1 : 0;
+    fewer += expect_within(random_path<SpatialPath<8>>(random, 2, 3), accuracy) ? 1 : 0;
+  }
+  EXPECT_GT(fewer, 6);
+  const PreimageTable path(random_path<SpatialPath<2>>(random, 3));
+  EXPECT_EQ(rotation_minimising_roll_within(path, 0.0).fault().quantity, "accuracy");
+  EXPECT_EQ(rotation_minimising_roll_within(path, std::nan("")).fault().code,
+            FaultCode::outside_domain);
+  const auto finer = rotation_minimising_roll_within(path, epsilon<double>());
+  ASSERT_FALSE(finer);
+  EXPECT_EQ(finer.fault().code, FaultCode::tolerance_not_reached);
+  EXPECT_TRUE(rotation_minimising_roll_within(path, 2.0 * *finer.fault().bound));
+}
+
 TEST(RotationMinimising, DoubleRootsOfTheSpeedGoToTheSeries) {
   Random random("double roots");
   for (int repeat = 0; repeat < 20; ++repeat) {

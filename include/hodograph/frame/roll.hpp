@@ -149,6 +149,13 @@ class FrameRoll {
 Result<FrameRoll> rotation_minimising_roll(const PreimageTable& path, double begin = 0.0,
                                            RollIntegration integration = RollIntegration::series);
 
+/// The same, quicker where an accuracy is enough (radians): error_bound() ≤ accuracy. The series
+/// are as short as that allows, whole path at once: their errors are shared by the segments.
+/// Faults: as above; outside_domain (an accuracy that is not positive), tolerance_not_reached
+/// (rounding alone is more; `bound` is what would do).
+Result<FrameRoll> rotation_minimising_roll_within(const PreimageTable& path, double accuracy,
+                                                  double begin = 0.0);
+
 /// The roll whose e₂ is the principal normal. Where the curvature vanishes along the way the
 /// normal turns to its opposite and θ jumps by π (inflections()); at a knot it may jump by
 /// anything, as the normal does. At the ends of segments the limits are taken.
