@@ -5,33 +5,10 @@
 
 #include "cli/requests/handlers.hpp"
 #include "hodograph/foundation/version.hpp"
-#include "hodograph/path/operations.hpp"
+#include "hodograph/path/any_operations.hpp"
 
 namespace hodograph::cli {
 namespace {
-
-/// The path in its static type, as a document's path.
-template <class P>
-AnyPath any(Result<P> result) {
-  return AnyPath(std::move(result).value());
-}
-
-/// The same path with its preimage written in a degree that is higher by one.
-AnyPath elevated_by_one(const AnyPath& path) {
-  return path.visit([](const auto& p) -> AnyPath {
-    constexpr std::size_t n = std::remove_cvref_t<decltype(p)>::preimage_degree;
-    if constexpr (n < maximum_dynamic_degree) {
-      return any(with_preimage_degree<n + 1>(p));
-    } else {
-      return AnyPath(p);
-    }
-  });
-}
-
-AnyPath elevated_to(AnyPath path, std::size_t degree) {
-  while (path.preimage_degree() < degree) path = elevated_by_one(path);
-  return path;
-}
 
 void require_no_roll(Members& request, const PathDocument& document, const char* operation) {
   if (document.roll) {
@@ -41,7 +18,7 @@ void require_no_roll(Members& request, const PathDocument& document, const char*
 }
 
 PathDocument reverse(PathDocument document, Members&) {
-  document.path = document.path.visit([](const auto& p) { return any(reversed(p)); });
+  document.path = reversed(document.path).value();
   if (document.roll) {  // e₃ changes its sign, and ξ
     document.roll = LinearRoll<double>{-document.roll->xi_begin, -document.roll->theta_begin,
                                        document.roll->rate};
@@ -51,7 +28,7 @@ PathDocument reverse(PathDocument document, Members&) {
 
 PathDocument cut(PathDocument document, Members& request) {
   const double from = request.number("from"), to = request.number("to");
-  document.path = document.path.visit([&](const auto& p) { return any(subpath(p, from, to)); });
+  document.path = subpath(document.path, from, to).value();
   return document;
 }
 
@@ -59,57 +36,38 @@ PathDocument join(PathDocument document, Members& request) {
   const PathDocument other = request.document("other", "other_file");
   require_no_roll(request, document, "joined");
   require_no_roll(request, other, "joined");
-  if (other.path.dimension() != document.path.dimension()) {
-    request.refuse("operation",
-                   "one path is planar and the other spatial; lift the planar one first");
-  }
-  const std::size_t degree =
-      std::max(document.path.preimage_degree(), other.path.preimage_degree());
-  const AnyPath second = elevated_to(other.path, degree);
-  document.path =
-      elevated_to(std::move(document.path), degree).visit([&](const auto& p) -> AnyPath {
-        return any(joined(p, *second.get_if<std::remove_cvref_t<decltype(p)>>()));
-      });
+  document.path = joined(document.path, other.path).value();
   return document;
 }
 
 PathDocument move(PathDocument document, Members& request) {
-  document.path = document.path.visit([&](const auto& p) -> AnyPath {
-    if constexpr (std::remove_cvref_t<decltype(p)>::Point::dimension == 2) {
-      const double angle = request.number("angle", 0.0);
-      const auto shift = request.has("translation") ? request.numbers("translation", 2)
-                                                    : std::vector<double>{0.0, 0.0};
-      return any(moved(p, angle, Vector2<double>{shift[0], shift[1]}));
-    } else {
-      const auto q = request.has("rotation") ? request.numbers("rotation", 4)
-                                             : std::vector<double>{1.0, 0.0, 0.0, 0.0};
-      const auto shift =
-          request.has("translation") ? request.point("translation") : Vector3<double>{};
-      return any(moved(p, Quaternion<double>{q[0], q[1], q[2], q[3]}, shift));
-    }
-  });
+  if (document.path.dimension() == 2) {
+    const double angle = request.number("angle", 0.0);
+    const auto shift = request.has("translation") ? request.numbers("translation", 2)
+                                                  : std::vector<double>{0.0, 0.0};
+    document.path = moved(document.path, angle, {shift[0], shift[1]}).value();
+  } else {
+    const auto q = request.has("rotation") ? request.numbers("rotation", 4)
+                                           : std::vector<double>{1.0, 0.0, 0.0, 0.0};
+    const auto shift =
+        request.has("translation") ? request.point("translation") : Vector3<double>{};
+    document.path = moved(document.path, {q[0], q[1], q[2], q[3]}, shift).value();
+  }
   return document;
 }
 
 PathDocument scale(PathDocument document, Members& request) {
   const double factor = request.number("factor");
-  document.path = document.path.visit([&](const auto& p) { return any(scaled(p, factor)); });
+  document.path = scaled(document.path, factor).value();
   return document;
 }
 
 PathDocument reflect(PathDocument document, Members& request) {
-  document.path = document.path.visit([&](const auto& p) -> AnyPath {
-    using Point = typename std::remove_cvref_t<decltype(p)>::Point;
-    const auto read = [](const std::vector<double>& numbers) {
-      Point point{};
-      for (std::size_t i = 0; i < Point::dimension; ++i) point[i] = numbers[i];
-      return point;
-    };
-    const Point normal = read(request.numbers("normal", Point::dimension));
-    const Point point =
-        request.has("point") ? read(request.numbers("point", Point::dimension)) : Point{};
-    return any(reflected(p, normal, point));
-  });
+  const std::size_t dimension = document.path.dimension();
+  const auto normal = request.numbers("normal", dimension);
+  const auto point = request.has("point") ? request.numbers("point", dimension)
+                                          : std::vector<double>(dimension, 0.0);
+  document.path = reflected(document.path, normal, point).value();
   if (document.roll) {  // e₃ changes its sign
     document.roll->theta_begin = -document.roll->theta_begin;
     document.roll->rate = -document.roll->rate;
@@ -117,14 +75,8 @@ PathDocument reflect(PathDocument document, Members& request) {
   return document;
 }
 
-PathDocument lift(PathDocument document, Members& request) {
-  document.path = document.path.visit([&](const auto& p) -> AnyPath {
-    if constexpr (std::remove_cvref_t<decltype(p)>::Point::dimension == 2) {
-      return any(lifted(p));
-    } else {
-      request.refuse("operation", "the path is in space already; only a planar one is lifted");
-    }
-  });
+PathDocument lift(PathDocument document, Members&) {
+  document.path = lifted(document.path).value();
   return document;
 }
 
@@ -132,8 +84,7 @@ PathDocument reparametrise(PathDocument document, Members& request) {
   const double from = request.number("from"), to = request.number("to");
   const double begin = document.path.xi_begin();
   const double stretch = (to - from) / (document.path.xi_end() - begin);
-  document.path =
-      document.path.visit([&](const auto& p) { return any(reparametrised(p, from, to)); });
+  document.path = reparametrised(document.path, from, to).value();
   if (document.roll) {
     document.roll->xi_begin = from + (document.roll->xi_begin - begin) * stretch;
     document.roll->rate = document.roll->rate / stretch;
@@ -143,19 +94,12 @@ PathDocument reparametrise(PathDocument document, Members& request) {
 
 PathDocument close(PathDocument document, Members& request) {
   const bool closed = request.truth("closed", true);
-  document.path = document.path.visit([&](const auto& p) { return any(with_closure(p, closed)); });
+  document.path = with_closure(document.path, closed).value();
   return document;
 }
 
 PathDocument elevate(PathDocument document, Members& request) {
-  const std::size_t degree = request.count("preimage_degree");
-  if (degree < document.path.preimage_degree() || degree > maximum_dynamic_degree) {
-    request.refuse("preimage_degree", "the degree is " + std::to_string(degree) +
-                                          "; it should be " +
-                                          std::to_string(document.path.preimage_degree()) + " to " +
-                                          std::to_string(maximum_dynamic_degree));
-  }
-  document.path = elevated_to(std::move(document.path), degree);
+  document.path = with_preimage_degree(document.path, request.count("preimage_degree")).value();
   return document;
 }
 
