@@ -384,8 +384,14 @@ RationalAnswer answer_of(const RationalProblem& problem) {
   const RationalPolynomial alpha =
       problem.alpha ? *problem.alpha : chosen->position().denominator();
   Existence found = existence(*problem.a, alpha).value();
-  const std::size_t wanted =
-      problem.degree ? *problem.degree : least_degree(*problem.a, alpha, found);
+  std::size_t wanted = problem.degree ? *problem.degree : least_degree(*problem.a, alpha, found);
+  if (chosen && !problem.degree && !alpha.is_zero()) {  // far enough for the curve
+    const VectorFunction& r = chosen->position();
+    const int above = alpha.degree() - r.denominator().degree() + degree(r.numerator());
+    if (divides(r.denominator(), alpha) && above <= static_cast<int>(largest_solution_degree)) {
+      wanted = std::max(wanted, static_cast<std::size_t>(std::max(0, above)));
+    }
+  }
   RationalAnswer answer{problem, solve(*problem.a, alpha, wanted).value(), std::move(found)};
   const SolutionSpace& space = answer.space;
   if (space.canonical_basis_work() <= largest_canonical_basis_work) {

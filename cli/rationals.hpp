@@ -27,7 +27,8 @@ class Members;
 inline constexpr std::size_t usual_described_curves = 8;
 
 /// What is asked for. Without a degree: the least one whose space holds a truly rational curve, or
-/// a polynomial one where none exists. Without alpha: the denominator of the curve.
+/// a polynomial one where none exists, and the curve r or of f. Without alpha: the denominator of
+/// that curve.
 struct RationalProblem {
   std::optional<QuaternionPolynomial> a{};
   std::optional<RationalPolynomial> alpha{};
