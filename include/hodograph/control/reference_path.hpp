@@ -16,7 +16,14 @@
 
 namespace hodograph {
 
-/// r, R, χ per unit ξ and σ at one ξ, each with its first and second derivative by ξ.
+/// What a place on a path is named by.
+enum class ProgressBy {
+  xi,         ///< the path's parameter
+  arc_length  ///< s: σ = 1, and only what the geometry has of corners and jumps remains
+};
+
+/// r, R, χ and σ at one ξ, each with its first and second derivative by ξ; by arc length, s takes
+/// the place of ξ throughout.
 template <class A>
 struct ReferenceJet {
   std::array<point_t<A>, 3> position{};
@@ -50,29 +57,35 @@ struct ReferenceValue<Quaternion<double>, S> {
 ///
 /// Method: each segment as powers of x = 2u - 1, whose coefficients are those of Bernstein form up
 /// to rounding; the frame and the rates from A, A', A'', A''' by the formulas of frame/. Accuracy
-/// on the knots: 2n + 2 roundings of the sum of the coefficients' sizes.
+/// on the knots: 2n + 2 roundings of the sum of the coefficients' sizes. By arc length, ξ is found
+/// by Newton's method on the polynomial s(ξ).
 template <class A>
 class ReferencePath {
  public:
   /// Faults: unsupported (a path of the other dimension).
-  static Result<ReferencePath> of(const AnyPath& path);
+  static Result<ReferencePath> of(const AnyPath& path, ProgressBy progress = ProgressBy::xi);
 
-  double xi_begin() const { return knots_.front(); }
-  double xi_end() const { return knots_.back(); }
-  /// Whether ξ goes round.
+  ProgressBy progress_by() const { return progress_by_; }
+  /// The progress at the first and the last knot.
+  double begin() const { return begins_.front(); }
+  double end() const { return begins_.back(); }
+  /// Whether the progress goes round.
   bool is_periodic() const { return periodic_; }
+  /// ξ of a progress, and the progress of a ξ; round a periodic path, whole periods on.
+  double xi_of(double progress) const;
+  double progress_of(double xi) const;
 
-  ReferenceJet<A> at(double xi) const;
+  ReferenceJet<A> at(double progress) const;
   /// Without derivatives.
-  ReferenceValue<A, double> value(double xi) const;
+  ReferenceValue<A, double> value(double progress) const;
 
-  /// At a ξ that carries derivatives, by the chain rule.
+  /// At a progress that carries derivatives, by the chain rule.
   template <class S>
-  ReferenceValue<A, S> on(const S& xi) const {
+  ReferenceValue<A, S> on(const S& progress) const {
     if constexpr (std::is_same_v<S, double>) {
-      return value(xi);
+      return value(progress);
     } else {
-      return composed(at(xi.value()), xi);
+      return composed(at(progress.value()), progress);
     }
   }
 
@@ -81,7 +94,9 @@ class ReferencePath {
     std::size_t segment;
     double x, half;  ///< in [-1, 1] between the knots; half the step
   };
-  Place locate(double xi) const;
+  Place locate(double progress) const;
+  double periods(double progress, const std::vector<double>& marks) const;
+  double length_at(std::size_t segment, double x, double* slope) const;
   template <std::size_t K>
   PreimageJet<A, K> preimage_jet(const Place& at) const;
   point_t<A> position(const Place& at) const;
@@ -91,9 +106,11 @@ class ReferencePath {
 
   std::size_t degree_ = 0;
   bool periodic_ = false;
-  std::vector<double> knots_;
-  std::vector<A> preimage_;            // degree + 1 a segment
-  std::vector<point_t<A>> positions_;  // 2 degree + 2 a segment
+  ProgressBy progress_by_ = ProgressBy::xi;
+  std::vector<double> knots_, begins_;  // ξ and the progress at every knot
+  std::vector<A> preimage_;             // degree + 1 a segment
+  std::vector<point_t<A>> positions_;   // 2 degree + 2 a segment
+  std::vector<double> lengths_;         // as many: the arc length from the segment's start
 };
 
 template <class A>
