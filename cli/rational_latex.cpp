@@ -98,13 +98,13 @@ std::string escaped(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (c == '^') {
-      std::string power;
-      while (i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') power += text[++i];
-      out += "$^{" + power + "}$";
+    if (c == '^' || c == '_') {  // a power, an index
+      std::string digits;
+      while (i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9') digits += text[++i];
+      out += "$" + std::string(1, c) + "{" + digits + "}$";
     } else if (c == '*') {
       out += "$\\cdot$";
-    } else if (std::string_view("_%&#${}").find(c) != std::string_view::npos) {
+    } else if (std::string_view("%&#${}").find(c) != std::string_view::npos) {
       out += std::string("\\") + c;
     } else if (c == '\\' || c == '~') {
       out += c == '~' ? "\\textasciitilde{}" : "\\textbackslash{}";
@@ -127,17 +127,21 @@ std::string places(const std::vector<RealRoot>& roots) {
   return text;
 }
 
+/// The sentence with a capital.
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  }
+  return text;
+}
+
 std::string heading(const std::string& title) { return "\\subsection*{" + escaped(title) + "}\n"; }
 
 }  // namespace
 
 std::string latex_of(const DescribedCurve& described) {
   const RationalPhCurve& curve = described.curve;
-  std::string title = described.name;
-  if (!title.empty() && title[0] >= 'a' && title[0] <= 'z') {
-    title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  }
-  std::string text = heading(title) + shown("r(t)", latex(curve.position()));
+  std::string text = heading(capital(described.name)) + shown("r(t)", latex(curve.position()));
   if (curve.kind() == CurveKind::constant) return text;
   text += shown("\\lambda", latex(curve.lambda()));
   text += shown("\\sigma", latex(curve.speed()));
@@ -177,7 +181,7 @@ std::string latex_of(const RationalAnswer& answer) {
   }
   text += shown("F = A \\mathbf{i} A^*", latex(space.indicatrix()));
   text += shown("|A|^2", latex(norm_polynomial(space.preimage())));
-  text += escaped(answer.existence.reason) + ".\n";
+  text += escaped(capital(answer.existence.reason)) + ".\n";
   text +=
       "\\begin{center}\\begin{tabular}{rrrr}\n$\\deg B$ & dimension & predicted & truly rational "
       "\\\\ \\hline\n";
