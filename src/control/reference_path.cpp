@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hodograph/foundation/accuracy.hpp"
 #include "path_coefficients.hpp"
@@ -59,7 +60,7 @@ bool frame_closes(const PathNumbers& numbers) {
 }  // namespace
 
 template <class A>
-Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path) {
+Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path, ProgressBy progress) {
   constexpr std::size_t dimension = point_t<A>::dimension;
   if (path.dimension() != dimension) {
     return Fault{FaultCode::unsupported,
@@ -75,6 +76,8 @@ Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path) {
   ReferencePath result;
   const std::size_t n = result.degree_ = numbers.preimage_degree;
   result.knots_ = numbers.knots;
+  result.progress_by_ = progress;
+  result.begins_ = progress == ProgressBy::xi ? numbers.knots : path.knot_arc_lengths();
   result.periodic_ = numbers.closed && frame_closes<A>(numbers);
   const std::size_t segments = path.segment_count(), m = 2 * n + 1;
   const auto of_preimage = powers_from_bernstein(n), of_position = powers_from_bernstein(m);
@@ -97,21 +100,74 @@ Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path) {
         if (k == 0) p[i] += numbers.starts[s * dimension + i];
       }
       result.positions_.push_back(p);
+      result.lengths_.push_back(power_coefficient(of_position, m, k, [&](std::size_t j) {
+        return integral[j * (dimension + 1) + dimension];
+      }));
     }
   }
   return result;
 }
 
 template <class A>
-auto ReferencePath<A>::locate(double xi) const -> Place {
-  if (periodic_ && !(knots_.front() <= xi && xi <= knots_.back())) {
-    const double period = knots_.back() - knots_.front();
-    xi -= period * std::floor((xi - knots_.front()) / period);
+double ReferencePath<A>::periods(double progress, const std::vector<double>& marks) const {
+  if (!periodic_ || (marks.front() <= progress && progress <= marks.back())) return 0.0;
+  return std::floor((progress - marks.front()) / (marks.back() - marks.front()));
+}
+
+template <class A>
+double ReferencePath<A>::length_at(std::size_t segment, double x, double* slope) const {
+  const std::size_t m = 2 * degree_ + 1;
+  const double* const c = lengths_.data() + segment * (m + 1);
+  double value = c[m], derivative = 0.0;
+  for (std::size_t k = m; k-- > 0;) {
+    derivative = x * derivative + value;
+    value = x * value + c[k];
   }
-  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, xi);
-  const auto segment = static_cast<std::size_t>(after - knots_.begin()) - 1;
+  if (slope != nullptr) *slope = derivative;
+  return value;
+}
+
+template <class A>
+auto ReferencePath<A>::locate(double progress) const -> Place {
+  progress -= periods(progress, begins_) * (begins_.back() - begins_.front());
+  const auto after = std::upper_bound(begins_.begin() + 1, begins_.end() - 1, progress);
+  const auto segment = static_cast<std::size_t>(after - begins_.begin()) - 1;
   const double half = 0.5 * (knots_[segment + 1] - knots_[segment]);
-  return {segment, (xi - knots_[segment]) / half - 1.0, half};
+  const double into = progress - begins_[segment];
+  if (progress_by_ == ProgressBy::xi) return {segment, into / half - 1.0, half};
+  // From the evenly fast place; the speed of a segment is bounded, so a few steps settle. What lies
+  // far beyond the ends is left to the first steps' straight lines.
+  constexpr int most_steps = 30;
+  constexpr double settled = 4.0 * std::numeric_limits<double>::epsilon();
+  double x = 2.0 * into / (begins_[segment + 1] - begins_[segment]) - 1.0;
+  for (int step = 0; step < most_steps; ++step) {
+    double slope = 0.0;
+    const double move = (into - length_at(segment, x, &slope)) / slope;
+    if (!(std::abs(move) <= 2.0)) break;
+    x += move;
+    if (std::abs(move) <= settled) break;
+  }
+  return {segment, x, half};
+}
+
+template <class A>
+double ReferencePath<A>::xi_of(double progress) const {
+  if (progress_by_ == ProgressBy::xi) return progress;
+  const Place at = locate(progress);
+  return knots_[at.segment] + at.half * (1.0 + at.x) +
+         periods(progress, begins_) * (knots_.back() - knots_.front());
+}
+
+template <class A>
+double ReferencePath<A>::progress_of(double xi) const {
+  if (progress_by_ == ProgressBy::xi) return xi;
+  const double laps = periods(xi, knots_);
+  const double within = xi - laps * (knots_.back() - knots_.front());
+  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, within);
+  const auto segment = static_cast<std::size_t>(after - knots_.begin()) - 1;
+  const double x = 2.0 * (within - knots_[segment]) / (knots_[segment + 1] - knots_[segment]) - 1.0;
+  return begins_[segment] + length_at(segment, x, nullptr) +
+         laps * (begins_.back() - begins_.front());
 }
 
 template <class A>
@@ -142,27 +198,37 @@ point_t<A> ReferencePath<A>::position(const Place& at) const {
 }
 
 template <class A>
-ReferenceJet<A> ReferencePath<A>::at(double xi) const {
-  const Place place = locate(xi);
+ReferenceJet<A> ReferencePath<A>::at(double progress) const {
+  const Place place = locate(progress);
   const PreimageJet<A, 3> jet = preimage_jet<3>(place);
-  const PreimageJet<A, 2> less{jet[0], jet[1], jet[2]};
   ReferenceJet<A> result;
-  const auto hodographs = hodograph_derivatives(PreimageJet<A, 1>{jet[0], jet[1]});
-  result.position = {position(place), hodographs[0], hodographs[1]};
-  result.body_rate = body_rate_per_xi(jet);
-  result.speed = speed_derivatives(less);
   const frame_t<A> frame = euler_rodrigues_frame(jet);
+  if (progress_by_ == ProgressBy::xi) {
+    result.body_rate = body_rate_per_xi(jet);
+    result.speed = speed_derivatives(PreimageJet<A, 2>{jet[0], jet[1], jet[2]});
+    const auto hodographs = hodograph_derivatives(PreimageJet<A, 1>{jet[0], jet[1]});
+    result.position = {position(place), hodographs[0], hodographs[1]};
+  } else {
+    result.body_rate = body_rate_per_arc_length(jet);
+    result.speed = {1.0, 0.0, 0.0};
+  }
   result.frame =
       frame_derivatives(frame, std::array<rate_t<A>, 2>{result.body_rate[0], result.body_rate[1]});
+  if (progress_by_ == ProgressBy::arc_length) {
+    result.position = {position(place), result.frame[0].e1, result.frame[1].e1};
+  }
   return result;
 }
 
 template <class A>
-ReferenceValue<A, double> ReferencePath<A>::value(double xi) const {
-  const Place place = locate(xi);
+ReferenceValue<A, double> ReferencePath<A>::value(double progress) const {
+  const Place place = locate(progress);
   const PreimageJet<A, 1> jet = preimage_jet<1>(place);
-  return {position(place), euler_rodrigues_frame(jet), body_rate_per_xi(jet)[0],
-          speed_form(jet[0], jet[0])};
+  const double sigma = speed_form(jet[0], jet[0]);
+  if (progress_by_ == ProgressBy::xi) {
+    return {position(place), euler_rodrigues_frame(jet), body_rate_per_xi(jet)[0], sigma};
+  }
+  return {position(place), euler_rodrigues_frame(jet), body_rate_per_arc_length(jet)[0], 1.0};
 }
 
 template class ReferencePath<Complex<double>>;

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Private to control/: vehicles in the coordinates of a path, as shooting models.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "hodograph/control/multiple_shooting.hpp"
+#include "hodograph/control/path_coordinates.hpp"
+
+namespace hodograph::control_detail {
+
+/// A car in the plane: x = (ξ, η, ψ, v), heading ψ against the tangent; u = (a, k), acceleration
+/// along and curvature of the way.
+///   ξ̇ = v cos ψ/h,  η̇ = v sin ψ,  ψ̇ = v k - ξ̇ χ,  v̇ = a
+struct Car {
+  using A = Complex<double>;
+  static constexpr std::size_t states = 4, controls = 2, limited = 1, limited_at_end = 0;
+  std::array<double, controls> scale{1.0, 1.0};  ///< of the effort
+
+  template <class S>
+  std::array<S, states> rates(const ReferenceValue<A, S>& at, const std::array<S, states>& x,
+                              const std::array<S, controls>& u) const {
+    using std::cos;
+    using std::sin;
+    const S progress = (x[3] * cos(x[2])) / progress_stretch(at, std::array<S, 1>{x[1]});
+    return {progress, x[3] * sin(x[2]), x[3] * u[1] - progress * at.body_rate, u[0]};
+  }
+  template <class S>
+  S forward(const ReferenceValue<A, S>&, const std::array<S, states>& x) const {
+    using std::cos;
+    return x[3] * cos(x[2]);
+  }
+  /// The lateral acceleration v² k.
+  template <class S>
+  std::array<S, limited> limits(const std::array<S, states>& x,
+                                const std::array<S, controls>& u) const {
+    return {x[3] * x[3] * u[1]};
+  }
+  template <class S>
+  std::array<S, limited_at_end> end_limits(const std::array<S, states>&) const {
+    return {};
+  }
+};
+
+/// A point in space: x = (ξ, η₂, η₃, v), u its acceleration, v and u in the axes of space.
+struct Glider {
+  using A = Quaternion<double>;
+  static constexpr std::size_t states = 6, controls = 3, limited = 3, limited_at_end = 2;
+  std::array<double, controls> scale{1.0, 1.0, 1.0};
+
+  template <class S>
+  static std::array<S, 2> eta(const std::array<S, states>& x) {
+    return {x[1], x[2]};
+  }
+  template <class S>
+  static Vector3<S> velocity(const std::array<S, states>& x) {
+    return {x[3], x[4], x[5]};
+  }
+  template <class S>
+  std::array<S, states> rates(const ReferenceValue<A, S>& at, const std::array<S, states>& x,
+                              const std::array<S, controls>& u) const {
+    const std::array<S, 3> c = coordinate_rates(at, eta(x), velocity(x));
+    return {c[0], c[1], c[2], u[0], u[1], u[2]};
+  }
+  template <class S>
+  S forward(const ReferenceValue<A, S>& at, const std::array<S, states>& x) const {
+    return dot(velocity(x), at.frame.e1);
+  }
+  /// |u|², |v|², |η|².
+  template <class S>
+  std::array<S, limited> limits(const std::array<S, states>& x,
+                                const std::array<S, controls>& u) const {
+    const std::array<S, 2> end = end_limits(x);
+    return {u[0] * u[0] + u[1] * u[1] + u[2] * u[2], end[0], end[1]};
+  }
+  template <class S>
+  std::array<S, limited_at_end> end_limits(const std::array<S, states>& x) const {
+    return {x[3] * x[3] + x[4] * x[4] + x[5] * x[5], x[1] * x[1] + x[2] * x[2]};
+  }
+};
+
+/// A vehicle over a stretch of a path. With time independent the state is the vehicle's and the
+/// parameter the duration T; with ξ independent the time t takes the place of ξ:
+/// dt/dξ = 1/ξ̇, dx/dξ = ẋ/ξ̇.
+template <class Vehicle, bool by_progress>
+struct FollowModel {
+  static constexpr std::size_t states = Vehicle::states, controls = Vehicle::controls;
+  static constexpr std::size_t parameters = by_progress ? 0 : 1;
+  static constexpr std::size_t path_constraints = Vehicle::limited + (by_progress ? 1 : 0);
+  static constexpr std::size_t end_constraints = Vehicle::limited_at_end;
+  template <class S>
+  using State = std::array<S, states>;
+  template <class S>
+  using Control = std::array<S, controls>;
+  template <class S>
+  using Parameters = std::array<S, parameters>;
+
+  std::shared_ptr<const ReferencePath<typename Vehicle::A>> path;
+  Vehicle vehicle;
+  double intervals = 1.0, begin = 0.0, end = 1.0;  // of the progress
+  double time_weight = 1.0, progress_weight = 0.0, effort_weight = 0.0, centre_weight = 0.0;
+
+  template <class S>
+  State<S> derivative(double tau, const State<S>& x, const Control<S>& u,
+                      const Parameters<S>& p) const {
+    if constexpr (by_progress) {
+      const auto at = path->on(S(begin + tau * (end - begin)));
+      State<S> rates = vehicle.rates(at, x, u);
+      const S slowness = (end - begin) / rates[0];
+      rates[0] = slowness;
+      for (std::size_t i = 1; i < states; ++i) rates[i] = slowness * rates[i];
+      return rates;
+    } else {
+      State<S> rates = vehicle.rates(path->on(x[0]), x, u);
+      for (S& rate : rates) rate = p[0] * rate;
+      return rates;
+    }
+  }
+  /// The effort, and how far it is from the path, over the interval: of the whole, a share each.
+  template <class S>
+  S stage_cost(std::size_t, const State<S>& x, const Control<S>& u, const Parameters<S>&) const {
+    S sum(0.0);
+    for (std::size_t i = 0; i < controls; ++i) {
+      const S part = (1.0 / vehicle.scale[i]) * u[i];
+      sum += part * part;
+    }
+    sum = effort_weight * sum;
+    if (centre_weight > 0.0) sum += centre_weight * (x[1] * x[1]);
+    return (1.0 / intervals) * sum;
+  }
+  template <class S>
+  S end_cost(const State<S>& x, const Parameters<S>& p) const {
+    if constexpr (by_progress) {
+      return time_weight * x[0];
+    } else {
+      return time_weight * p[0] - progress_weight * x[0];
+    }
+  }
+  template <class S>
+  std::array<S, path_constraints> path_values(std::size_t k, const State<S>& x, const Control<S>& u,
+                                              const Parameters<S>&) const {
+    const auto own = vehicle.limits(x, u);
+    std::array<S, path_constraints> all;
+    for (std::size_t i = 0; i < own.size(); ++i) all[i] = own[i];
+    if constexpr (by_progress) {
+      const double tau = static_cast<double>(k) / intervals;
+      all[own.size()] = vehicle.forward(path->on(S(begin + tau * (end - begin))), x);
+    }
+    return all;
+  }
+  template <class S>
+  std::array<S, end_constraints> end_values(const State<S>& x, const Parameters<S>&) const {
+    return vehicle.end_limits(x);
+  }
+};
+
+}  // namespace hodograph::control_detail
