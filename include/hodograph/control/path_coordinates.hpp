@@ -10,9 +10,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <optional>
 
 #include "hodograph/control/reference_path.hpp"
 
@@ -52,16 +50,5 @@ std::array<S, 2> coordinate_rates(const ReferenceValue<Complex<double>, S>& at,
                                   const std::array<S, 1>& eta, const Vector2<S>& v) {
   return {dot(v, at.frame.e1) / progress_stretch(at, eta), dot(v, at.frame.e2)};
 }
-
-/// ξ and η of a point. Method: Newton's on (p - r) · e₁ = 0, whose derivative is -h. Nothing where
-/// that does not settle near `xi`, or where h ≤ 0 there.
-template <class A>
-struct PathCoordinates {
-  double xi = 0.0;
-  std::array<double, point_t<A>::dimension - 1> eta{};
-};
-template <class A>
-std::optional<PathCoordinates<A>> coordinates_of(const ReferencePath<A>& path,
-                                                 const point_t<A>& point, double xi);
 
 }  // namespace hodograph
