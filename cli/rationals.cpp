@@ -13,9 +13,9 @@ namespace {
 /// a second for each curve, and so for all of them together.
 constexpr double largest_root_work = 0x1p22;
 
-/// Degree times bits of the numbers of A and of alpha, together: 16 times what degrees 64 with
-/// numbers of a word have.
-constexpr double largest_input_size = 0x1p16;
+/// Degree times bits of the numbers of A and of alpha, together: twice what degrees 64 with
+/// numbers of a word have, half a minute's work.
+constexpr double largest_input_size = 0x1p14;
 
 [[noreturn]] void refuse(const std::string& sentence, const char* quantity,
                          FaultCode code = FaultCode::malformed_document) {
