@@ -139,6 +139,29 @@ class FollowProgram {
     return after;
   }
 
+  /// Puts the start into a point that was meant for another.
+  void place_start(SolverPoint& point) const {
+    const State from = state_of(start_);
+    std::copy(from.begin(), from.end(), point.variables.begin());
+  }
+
+  /// Where the vehicle is at node k of an answer.
+  FollowStart start_after(const Solution& solution, std::size_t k) const {
+    const State x = state(solution.point.variables, k);
+    FollowStart start;
+    start.xi = path_->xi_of(
+        progress_at(static_cast<double>(k) / static_cast<double>(options_.intervals), x));
+    start.offset[0] = x[1];
+    if constexpr (planar) {
+      start.heading = x[2];
+      start.speed = x[3];
+    } else {
+      start.offset[1] = x[2];
+      start.velocity = Vector3<double>{x[3], x[4], x[5]};
+    }
+    return start;
+  }
+
   Following following(const Solution& solution) const {
     Following result;
     const std::vector<double>& z = solution.point.variables;
