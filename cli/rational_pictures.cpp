@@ -11,7 +11,7 @@
 namespace hodograph::cli {
 namespace {
 
-constexpr std::size_t points_between_poles = 1200;
+constexpr std::size_t points = 3000;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// A parameter with the point and the signed speed there.
@@ -33,17 +33,8 @@ Sample sample_at(const RationalPhCurve& curve, const RationalFunction& speed, do
   return point ? Sample{t, *point, value(speed, *exact)} : gap;
 }
 
-/// Parameters of a branch between two poles, or an end: crowded towards both.
-void add_branch(std::vector<double>& ts, double begin, double end) {
-  for (std::size_t i = 0; i <= points_between_poles; ++i) {
-    const double share = (static_cast<double>(i) + 0.5) / (points_between_poles + 1);
-    ts.push_back(begin + 0.5 * (end - begin) * (1.0 - std::cos(std::numbers::pi * share)));
-  }
-  ts.push_back(none);
-}
-
-/// The part of the values that a picture shows: the middle nine tenths, and as much besides on
-/// either side. What goes to a pole leaves it.
+/// The part of the values that a picture shows: the middle half, and as much besides on either
+/// side. What goes to a pole or to infinity leaves it.
 std::pair<double, double> window(std::vector<double> values) {
   values.erase(
       std::remove_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); }),
@@ -53,7 +44,7 @@ std::pair<double, double> window(std::vector<double> values) {
   const auto at = [&](double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
   };
-  const double low = at(0.1), high = at(0.9), margin = high - low;
+  const double low = at(0.25), high = at(0.75), margin = high - low;
   return {std::max(values.front(), low - margin), std::min(values.back(), high + margin)};
 }
 
@@ -69,9 +60,9 @@ std::vector<Plot> rational_pictures(const DescribedCurve& described,
                           to_text(interval->first) + " to " + to_text(interval->second),
                       std::nullopt, "interval", interval->first, std::nullopt});
   }
-  // Places that matter; the picture reaches as far beyond them as they lie apart.
   std::vector<double> poles;
   for (const RealRoot& root : described.poles) poles.push_back(root.to_double());
+  // Without an interval the whole line, t = centre + reach · tan(φ / 2), by the places that matter.
   std::vector<double> places = poles;
   if (described.stationary) {
     for (const RealRoot& root : *described.stationary) places.push_back(root.to_double());
@@ -79,22 +70,25 @@ std::vector<Plot> rational_pictures(const DescribedCurve& described,
   places.erase(
       std::remove_if(places.begin(), places.end(), [](double x) { return !std::isfinite(x); }),
       places.end());
-  double begin = -2.0, end = 2.0;
+  double centre = 0.0, reach = 1.0;
   if (!places.empty()) {
     const auto [low, high] = std::minmax_element(places.begin(), places.end());
-    const double beyond = std::max(2.0, *high - *low);
-    begin = *low - beyond;
-    end = *high + beyond;
+    centre = 0.5 * *low + 0.5 * *high;
+    reach = std::max(1.0, 0.5 * *high - 0.5 * *low);
   }
-  if (interval) std::tie(begin, end) = *interval;
   std::vector<double> ts;
-  double from = begin;
-  for (const double pole : poles) {
-    if (!(begin < pole && pole < end)) continue;
-    add_branch(ts, from, pole);
-    from = pole;
+  std::size_t next_pole = 0;
+  for (std::size_t i = 0; i <= points; ++i) {
+    const double share = static_cast<double>(i) / points;
+    const double angle = std::numbers::pi * (share - 0.5);
+    const double t = interval ? interval->first + share * (interval->second - interval->first)
+                              : centre + reach * std::tan(angle);
+    while (next_pole < poles.size() && poles[next_pole] < t) {
+      ts.push_back(none);  // a gap
+      ++next_pole;
+    }
+    ts.push_back(t);
   }
-  add_branch(ts, from, end);
 
   const RationalFunction speed = curve.speed();
   std::vector<Sample> samples;
@@ -106,9 +100,9 @@ std::vector<Plot> rational_pictures(const DescribedCurve& described,
   for (std::size_t c = 0; c < 3; ++c) {
     std::vector<double> values;
     for (const Sample& s : samples) values.push_back(s.point[c]);
-    box[c] = poles.empty() ? std::pair(-std::numeric_limits<double>::max(),
-                                       std::numeric_limits<double>::max())
-                           : window(std::move(values));
+    box[c] = interval && poles.empty() ? std::pair(-std::numeric_limits<double>::max(),
+                                                   std::numeric_limits<double>::max())
+                                       : window(std::move(values));
   }
   const auto inside = [&](const Vector3<double>& p) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -134,7 +128,8 @@ std::vector<Plot> rational_pictures(const DescribedCurve& described,
     if (described.stationary) {
       for (const RealRoot& root : *described.stationary) {
         const Sample s = sample_at(curve, speed, root.to_double());
-        if (!(begin <= s.t && s.t <= end) || !inside(s.point)) continue;
+        const bool drawn = !interval || (interval->first <= s.t && s.t <= interval->second);
+        if (!drawn || !inside(s.point)) continue;
         plot.marks.push_back(
             {{s.point[across], s.point[up]}, root.multiplicity() % 2 != 0 ? "cusp" : "stop"});
       }
@@ -146,13 +141,15 @@ std::vector<Plot> rational_pictures(const DescribedCurve& described,
   plot.y.label = "speed, negative against F";
   plot.clip_outliers = true;
   Series line;
-  const auto [low, high] = window([&] {
-    std::vector<double> values;
-    for (const Sample& s : samples) values.push_back(s.speed);
-    return values;
-  }());
+  constexpr double widest = 4.0;  // times the reach
+  const auto near = [&](const Sample& s) {
+    return interval || std::abs(s.t - centre) <= widest * reach;
+  };
+  std::vector<double> speeds;
+  for (const Sample& s : samples) speeds.push_back(near(s) ? s.speed : none);
+  const auto [low, high] = window(speeds);
   for (const Sample& s : samples) {
-    const bool shown = poles.empty() || (low <= s.speed && s.speed <= high);
+    const bool shown = near(s) && (poles.empty() || (low <= s.speed && s.speed <= high));
     line.x.push_back(shown ? s.t : none);
     line.y.push_back(shown ? s.speed : none);
   }
