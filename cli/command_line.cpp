@@ -189,12 +189,18 @@ int run_program(int count, const char* const* arguments) {
     return program_help(*app);
   });
   Commands commands;
-  for (auto* const make :
-       {fit_command,        orbit_command,   spline_command,   hermite_command, corner_command,
-        loop_command,       climb_command,   rational_command, plan_command,    swarm_command,
-        separation_command, offset_command,  frame_command,    sweep_command,   codegen_command,
-        sample_command,     inspect_command, check_command,    plot_command,    batch_command,
-        version_command}) {
+  for (auto* const make : {fit_command,        orbit_command,
+                           ascend_command,     spline_command,
+                           hermite_command,    corner_command,
+                           loop_command,       climb_command,
+                           rational_command,   rational_hermite_command,
+                           plan_command,       swarm_command,
+                           separation_command, offset_command,
+                           frame_command,      sweep_command,
+                           codegen_command,    sample_command,
+                           inspect_command,    check_command,
+                           plot_command,       batch_command,
+                           version_command}) {
     commands.push_back(make(program));
   }
   try {

@@ -17,6 +17,8 @@ std::unique_ptr<Command> hermite_command(CLI::App& program);
 std::unique_ptr<Command> loop_command(CLI::App& program);
 std::unique_ptr<Command> climb_command(CLI::App& program);
 std::unique_ptr<Command> rational_command(CLI::App& program);
+std::unique_ptr<Command> rational_hermite_command(CLI::App& program);
+std::unique_ptr<Command> ascend_command(CLI::App& program);
 std::unique_ptr<Command> frame_command(CLI::App& program);
 std::unique_ptr<Command> corner_command(CLI::App& program);
 std::unique_ptr<Command> plan_command(CLI::App& program);

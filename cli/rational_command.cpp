@@ -8,9 +8,8 @@
 #include <filesystem>
 
 #include "cli/options.hpp"
+#include "cli/rational_input.hpp"
 #include "cli/rationals.hpp"
-#include "cli/requests/batch.hpp"
-#include "cli/requests/members.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
 #endif
@@ -33,40 +32,11 @@ struct RationalFlags {
                     std::nullopt});
 }
 
-/// Reads a text into the problem; on a terminal a mistake is pointed at.
-void read_text(RationalProblem& problem, const std::string& text, const std::string& name) {
-  try {
-    const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin != std::string::npos && text[begin] == '{') {
-      const Json json = parsed_json(text, name.empty() ? "the input" : name);
-      Members members(json, "", name.empty() ? "the input" : name);
-      define(problem, members);
-      members.require_all_known();
-    } else {
-      define(problem, text);
-    }
-  } catch (const Error& error) {
-    Fault fault = error.fault();
-    if (fault.quantity == "text" && fault.index) {
-      const TextPlace place = place_in(text, *fault.index);
-      remember_place(pointed_out(place));
-      if (!name.empty()) fault.sentence = name + ", " + fault.sentence;
-    }
-    throw Error(fault);
-  }
-}
-
 RationalProblem problem_of(const RationalFlags& flags) {
   RationalProblem problem;
   problem.described = flags.described;
-  for (const std::string& word : flags.input) {
-    // A definition, a JSON object, or the name of a file.
-    if (word != "-" && word.find_first_of("={\n") != std::string::npos) {
-      read_text(problem, word, "");
-    } else {
-      read_text(problem, read_file(word, longest_rational_text).value(), input_name(word));
-    }
-  }
+  read_rational_input(flags.input, {[&](std::string_view text) { define(problem, text); },
+                                    [&](Members& members) { define(problem, members); }});
   for (const std::string& text : flags.coefficients) {
     const auto value = parse_expression(text);
     const auto number = value ? real_polynomial(*value, "a coefficient") : value.fault();

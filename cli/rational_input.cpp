@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "cli/rational_input.hpp"
+
+#include "cli/options.hpp"
+#include "cli/requests/batch.hpp"
+#include "cli/terminal.hpp"
+#include "hodograph/io/file.hpp"
+#include "hodograph/rational/text.hpp"
+
+namespace hodograph::cli {
+namespace {
+
+void read_text(const RationalReaders& readers, const std::string& text, const std::string& name) {
+  try {
+    const std::size_t begin = text.find_first_not_of(" \t\r\n");
+    if (begin != std::string::npos && text[begin] == '{') {
+      const Json json = parsed_json(text, name.empty() ? "the input" : name);
+      Members members(json, "", name.empty() ? "the input" : name);
+      readers.members(members);
+      members.require_all_known();
+    } else {
+      readers.text(text);
+    }
+  } catch (const Error& error) {
+    Fault fault = error.fault();
+    if (fault.quantity == "text" && fault.index) {
+      const TextPlace place = place_in(text, *fault.index);
+      remember_place(pointed_out(place));
+      if (!name.empty()) fault.sentence = name + ", " + fault.sentence;
+    }
+    throw Error(fault);
+  }
+}
+
+}  // namespace
+
+void read_rational_input(const std::vector<std::string>& words, const RationalReaders& readers) {
+  for (const std::string& word : words) {
+    if (word != "-" && word.find_first_of("={\n") != std::string::npos) {
+      read_text(readers, word, "");
+    } else {
+      read_text(readers, read_file(word, longest_rational_text).value(), input_name(word));
+    }
+  }
+}
+
+}  // namespace hodograph::cli
