@@ -68,9 +68,14 @@ std::size_t plain_dimension(const QuaternionPolynomial& a, const RationalPolynom
   return rows.size() - rank;
 }
 
-void run(std::size_t preimage_degree, int bits, std::size_t d, bool plain, int repetitions) {
+/// (t + 2)^3 (t^2 + 1)^2, or the square of a cubic whose coefficients have as many bits as those of
+/// A.
+void run(std::size_t preimage_degree, int bits, std::size_t d, bool plain, int repetitions,
+         bool wide_alpha = false) {
   const auto t = RationalPolynomial::monomial(1, 1);
-  const RationalPolynomial alpha = (t + 2).power(3) * (t * t + 1).power(2);
+  bench::Numbers numbers;
+  const RationalPolynomial alpha = wide_alpha ? random_polynomial(numbers, 3, bits).power(2)
+                                              : (t + 2).power(3) * (t * t + 1).power(2);
   const QuaternionPolynomial a = random_preimage(preimage_degree, bits);
   const SolutionSpace space = solve(a, alpha, d).value();
   std::vector<bench::Rival> rivals;
@@ -82,7 +87,8 @@ void run(std::size_t preimage_degree, int bits, std::size_t d, bool plain, int r
       {"solve: the space and its parts", [&] { bench::keep(solve(a, alpha, d)); }, 1.0});
   rivals.push_back({"its canonical basis", [&] { bench::keep(space.canonical_basis()); }, 1.0});
   bench::compare("deg A = " + std::to_string(preimage_degree) + ", " + std::to_string(bits) +
-                     " bits, deg B <= " + std::to_string(d),
+                     " bits, deg B <= " + std::to_string(d) +
+                     (wide_alpha ? ", alpha of as many bits" : ""),
                  rivals, repetitions);
   std::size_t size = 0;
   for (const VectorPolynomial& b : space.canonical_basis()) {
@@ -98,5 +104,6 @@ int main() {
   for (std::size_t n = 2; n <= 8; n += 2) run(n, 4, 30, n == 2, n == 2 ? 3 : 11);
   run(4, 64, 20, false, 5);
   run(4, 64, 30, false, 5);
-  run(4, 64, 60, false, 1);
+  run(4, 64, 60, false, 5);
+  run(4, 64, 60, false, 5, true);
 }
