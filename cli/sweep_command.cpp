@@ -9,6 +9,7 @@
 #include "cli/sweeps.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
+#include "hodograph/io/report.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -20,19 +21,6 @@ struct SweepFlags {
   bool open_ends = false;
   SweepRequest request;
 };
-
-std::string table_of(const std::vector<std::pair<std::string, std::string>>& rows) {
-  std::size_t widest = 0;
-  for (const auto& [name, text] : rows) widest = std::max(widest, name.size());
-  std::string table;
-  for (const auto& [name, text] : rows) {
-    table += name;
-    table.append(widest + 2 - name.size(), ' ');
-    table += text;
-    table += '\n';
-  }
-  return table;
-}
 
 void take_profile(SweepFlags& flags) {
   SweepRequest& request = flags.request;
@@ -75,7 +63,6 @@ void run(SweepFlags flags) {
   std::optional<MeasuredMesh> mesh;
   if (format != "step") mesh = measured_mesh(made, request, format);
   auto rows = rows_of(made, mesh ? &*mesh : nullptr, document.length_unit);
-  std::string table;
   if (!flags.output.empty()) {
     const auto step =
         write_sweep(made, request, mesh ? &*mesh : nullptr, document, flags.output, format);
@@ -86,14 +73,13 @@ void run(SweepFlags flags) {
       rows.emplace_back("Body", step->solid ? "closed solid" : "shell with boundary");
     }
   }
-  table = table_of(rows);
+  ReportData report = report_of(made, request, document, std::move(rows), !flags.report.empty());
+  report.document_name = flags.document == "-" ? "" : flags.document;
+  std::string table = report_text(report);
   if (!flags.output.empty() && flags.output != "-") table += "wrote " + flags.output + "\n";
   if (!flags.report.empty()) {
-    const std::string title = document.name.empty() ? "Swept surface" : document.name;
-    if (const auto fault = write_file(flags.report, sweep_page(made, request, title, rows))) {
-      throw Error(*fault);
-    }
-    table += "wrote " + flags.report + "\n";
+    if (const auto fault = write_file(flags.report, report_html(report))) throw Error(*fault);
+    if (flags.report != "-") table += "wrote " + flags.report + "\n";
   }
   if (flags.output == "-" || flags.report == "-") {
     std::fputs(table.c_str(), stderr);

@@ -5,11 +5,14 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <numbers>
 
+#include "cli/drawing.hpp"
 #include "cli/frames.hpp"
 #include "cli/made_path.hpp"
 #include "hodograph/io/mesh_file.hpp"
 #include "hodograph/io/mesh_picture.hpp"
+#include "hodograph/surface/sweep_contact.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -132,12 +135,14 @@ MadeSweep made_sweep(const AnyPath& path, const SweepRequest& request) {
   std::optional<double> gamma;
   Profile profile = profile_of(request);
   Motion motion = motion_of(path, request, frame, gamma);
-  MadeSweep made{Sweep{std::move(motion), std::move(profile)}, frame, gamma, {}, false, 0.0};
+  MadeSweep made{Sweep{std::move(motion), std::move(profile)}, frame, gamma, {}};
   made.tube = tube_radius_of(in_space(path));
-  made.certainly_free = is_certainly_free(made.sweep, made.tube);
+  made.in_tube = is_certainly_free(made.sweep, made.tube);
+  made.certainly_free = made.in_tube || contact_of(made.sweep).free;
   if (!request.allow_contact && !made.certainly_free) {
     if (const auto fault = contact_fault(made.sweep, made.tube)) throw Error(*fault);
   }
+  if (!made.certainly_free) made.free_factor = largest_free_factor(made.sweep, made.tube, 1.0);
   constexpr double fine_enough = 0.01;  // of the profile's extent
   made.tolerance = request.tolerance ? *request.tolerance
                                      : fine_enough * made.sweep.profile.extent() *
@@ -188,6 +193,7 @@ Json json_of(const MadeSweep& made, const MeasuredMesh& mesh) {
   json["tube"] = {{"radius", json_of(made.tube.radius)}, {"limit", name_of(made.tube.limit)}};
   json["outer_radius"] = outer_radius(made.sweep);
   json["certainly_free_of_contact"] = made.certainly_free;
+  if (!made.certainly_free) json["free_factor"] = made.free_factor;
   json["mesh"] = {{"tolerance", made.tolerance},
                   {"deviation", mesh.made.deviation + mesh.rounding},
                   {"rings", mesh.made.rings},
@@ -229,12 +235,17 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
                         ? "any"
                         : to_six_digits(radius) + in_unit + ", limited by " +
                               name_of(made.tube.limit) + ", certified");
-  rows.emplace_back("Contact with itself",
-                    made.certainly_free
-                        ? "none, certified: within " + to_six_digits(outer_radius(made.sweep)) +
-                              in_unit + " of the path"
-                        : "not excluded: it reaches " + to_six_digits(outer_radius(made.sweep)) +
-                              in_unit + " from the path");
+  rows.emplace_back(
+      "Contact with itself",
+      made.in_tube ? "none, certified: within " + to_six_digits(outer_radius(made.sweep)) +
+                         in_unit + " of the path"
+      : made.certainly_free
+          ? "none, certified by the profile's extent in each direction"
+          : "not excluded: it reaches " + to_six_digits(outer_radius(made.sweep)) + in_unit +
+                " from the path" +
+                (made.free_factor > 0.0
+                     ? "; none, certified, " + to_six_digits(made.free_factor) + " times as large"
+                     : std::string()));
   if (mesh == nullptr) return rows;
   const MeshFacts& facts = mesh->facts;
   rows.emplace_back("Triangles", std::to_string(facts.triangles) + ", " +
@@ -253,24 +264,39 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
   return rows;
 }
 
-std::string sweep_page(const MadeSweep& made, const SweepRequest& request, const std::string& title,
-                       const std::vector<std::pair<std::string, std::string>>& rows) {
+ReportData report_of(const MadeSweep& made, const SweepRequest& request,
+                     const PathDocument& document,
+                     std::vector<std::pair<std::string, std::string>> rows, bool drawn) {
+  ReportData data;
+  data.title = document.name.empty() ? "Swept surface" : document.name;
+  data.segments = document.path.segment_count();
+  data.preimage_degree = document.path.preimage_degree();
+  data.closed = document.path.is_closed();
+  data.length_unit = document.length_unit;
+  data.parameter_unit = document.parameter_unit;
+  data.dimension = document.path.dimension();
+  data.more = std::move(rows);
+  if (!drawn) return data;
+  data.first_heading = "The surface";
   constexpr std::size_t most_drawn = 12'000;  // triangles, some megabyte of SVG
   constexpr int attempts = 24;
   SweepMeshOptions options{made.tolerance, most_drawn, request.caps};
-  std::vector<std::pair<std::string, std::string>> pictures;
-  for (int i = 0; i < attempts && pictures.empty(); ++i, options.tolerance *= 4.0) {
+  for (int i = 0; i < attempts && data.drawings.empty(); ++i, options.tolerance *= 4.0) {
     const auto mesh = mesh_of(made.sweep, options);
     if (!mesh) continue;
     MeshView view;
     view.closed = made.sweep.profile.is_closed() &&
                   (made.sweep.motion.is_closed() || mesh->cap_triangles > 0);
-    pictures.emplace_back("Seen from the side.", mesh_svg(mesh->mesh, view));
-    view.azimuth = -1.5707963267948966;
-    view.elevation = 1.5707963267948966;
-    pictures.emplace_back("Seen from above: x to the right, y up.", mesh_svg(mesh->mesh, view));
+    data.drawings.emplace_back("Seen from the side.", mesh_svg(mesh->mesh, view));
+    constexpr double quarter_turn = 0.5 * std::numbers::pi;
+    view.azimuth = -quarter_turn;
+    view.elevation = quarter_turn;
+    data.drawings.emplace_back("Seen from above: x to the right, y up.",
+                               mesh_svg(mesh->mesh, view));
   }
-  return picture_page(title, "", rows, pictures);
+  constexpr std::size_t drawn_points = 600;
+  data.path = framed_polyline(document, drawn_points, 0);
+  return data;
 }
 
 }  // namespace hodograph::cli

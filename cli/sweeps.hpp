@@ -11,6 +11,7 @@
 #include "cli/json.hpp"
 #include "cli/step_module/step_module.hpp"
 #include "hodograph/io/document.hpp"
+#include "hodograph/io/report.hpp"
 #include "hodograph/surface/sweep_mesh.hpp"
 
 namespace hodograph::cli {
@@ -44,6 +45,8 @@ struct MadeSweep {
   std::optional<double> gamma{};
   TubeRadius tube;
   bool certainly_free = false;
+  bool in_tube = false;      ///< because it stays within the tube's radius
+  double free_factor = 1.0;  ///< where it is not certain: the profile's, for which it would be
   double tolerance = 0.0;
 };
 
@@ -80,8 +83,10 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
                                                          const MeasuredMesh* mesh,
                                                          const std::string& unit);
 
-/// An HTML page with the rows and pictures from two sides, of a mesh coarse enough for it.
-std::string sweep_page(const MadeSweep& made, const SweepRequest& request, const std::string& title,
-                       const std::vector<std::pair<std::string, std::string>>& rows);
+/// The report: the path's size, the rows, and, `drawn`, the surface from two sides by a mesh coarse
+/// enough for it.
+ReportData report_of(const MadeSweep& made, const SweepRequest& request,
+                     const PathDocument& document,
+                     std::vector<std::pair<std::string, std::string>> rows, bool drawn);
 
 }  // namespace hodograph::cli

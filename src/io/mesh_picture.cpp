@@ -78,34 +78,4 @@ std::string mesh_svg(const TriangleMesh& mesh, const MeshView& view) {
   return text + "</svg>\n";
 }
 
-std::string picture_page(const std::string& title, const std::string& summary,
-                         const std::vector<std::pair<std::string, std::string>>& rows,
-                         const std::vector<std::pair<std::string, std::string>>& pictures) {
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      escaped_markup(title) +
-      "</title>\n<style>\n"
-      ":root{color-scheme:light dark}\n"
-      "body{font:16px/1.45 system-ui,sans-serif;max-width:60rem;margin:1.5rem auto;padding:0 "
-      "1rem}\n"
-      "table{border-collapse:collapse}th{text-align:left;font-weight:600;padding:.15rem 1.5rem "
-      ".15rem 0;vertical-align:top}td{padding:.15rem 0}\n"
-      "figure{margin:1.2rem 0}svg{max-width:100%;height:auto}figcaption{opacity:.75}\n"
-      "</style>\n</head>\n<body>\n<h1>" +
-      escaped_markup(title) + "</h1>\n";
-  if (!summary.empty()) page += "<p>" + escaped_markup(summary) + "</p>\n";
-  page += "<table>\n";
-  for (const auto& [name, text] : rows) {
-    page += "<tr><th scope=\"row\">" + escaped_markup(name) + "</th><td>" + escaped_markup(text) +
-            "</td></tr>\n";
-  }
-  page += "</table>\n";
-  for (const auto& [caption, svg] : pictures) {
-    page += "<figure>\n" + svg + "<figcaption>" + escaped_markup(caption) +
-            "</figcaption>\n</figure>\n";
-  }
-  return page + "</body>\n</html>\n";
-}
-
 }  // namespace hodograph

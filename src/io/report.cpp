@@ -251,9 +251,11 @@ std::vector<Plot> quantity_plots(const ReportData& data) {
 std::vector<std::pair<std::string, std::string>> report_rows(const ReportData& data) {
   std::vector<std::pair<std::string, std::string>> rows;
   const std::string per_xi = ratio_unit(data.length_unit, data.parameter_unit);
-  rows.emplace_back("Segments", std::to_string(data.segments) + " of degree " +
-                                    std::to_string(2 * data.preimage_degree + 1) +
-                                    (data.closed ? ", closed" : ""));
+  if (data.segments > 0) {
+    rows.emplace_back("Segments", std::to_string(data.segments) + " of degree " +
+                                      std::to_string(2 * data.preimage_degree + 1) +
+                                      (data.closed ? ", closed" : ""));
+  }
   if (data.promises.error) rows.emplace_back("Position error", error_text(data));
   if (data.promises.arc_length) {
     rows.emplace_back(
@@ -324,7 +326,16 @@ std::string report_html(const ReportData& data) {
             "</td></tr>\n";
   }
   html += "</table>\n";
-  append_figures(html, "The path and its frame", "three", path_plots(data));
+  append_figures(html, data.first_heading, "three", data.first);
+  if (!data.drawings.empty()) {
+    if (data.first.empty()) html += "<h2>" + escaped_markup(data.first_heading) + "</h2>\n";
+    for (const auto& [caption, svg] : data.drawings) {
+      html += "<figure class=\"drawing\">\n" + svg + "<figcaption>" + escaped_markup(caption) +
+              "</figcaption></figure>\n";
+    }
+  }
+  append_figures(html, data.path.frames.empty() ? "The path" : "The path and its frame", "three",
+                 path_plots(data));
   std::vector<Plot> quantities = quantity_plots(data);
   std::optional<Plot> error;
   if (!data.error.empty()) {

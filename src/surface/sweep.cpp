@@ -5,51 +5,16 @@
 #include <cmath>
 #include <string>
 
+#include "exact_piece.hpp"
+#include "hodograph/surface/sweep_contact.hpp"
 #include "sweep_ring.hpp"
 
 namespace hodograph {
 namespace {
 
-/// The piece's products that patches and tracks are made of.
-struct ExactPiece {
-  DynamicPolynomial<double> weight;               // |B|²
-  DynamicPolynomial<Vector3<double>> center;      // |B|² c
-  DynamicPolynomial<Vector3<double>> e1, e2, e3;  // λ B i B*, λ B j B*, λ B k B*
-};
-
-ExactPiece exact_piece(const MotionPiece& piece) {
-  using Q = Quaternion<double>;
-  const auto form = [](std::size_t j) {
-    // The polar form of the quadratic map B -> B e_j B*.
-    return [j](const Q& a, const Q& b) {
-      const Q unit{0.0, j == 0 ? 1.0 : 0.0, j == 1 ? 1.0 : 0.0, j == 2 ? 1.0 : 0.0};
-      return vector_part(a * unit * conjugate(b));
-    };
-  };
-  const auto along = [&](std::size_t j) {
-    return scaled_product(piece.scale, product(piece.preimage, piece.preimage, form(j)));
-  };
-  ExactPiece exact;
-  exact.weight =
-      product(piece.preimage, piece.preimage, [](const Q& a, const Q& b) { return dot(a, b); });
-  exact.center = scaled_product(
-      exact.weight,
-      piece.displacement.mapped([&](const Vector3<double>& d) { return piece.start + d; }));
-  exact.e1 = along(0);
-  exact.e2 = along(1);
-  exact.e3 = along(2);
-  return exact;
-}
-
-MotionPiece restricted(const MotionPiece& piece, double a, double b) {
-  MotionPiece part = piece;
-  part.begin = piece.begin + a * (piece.end - piece.begin);
-  part.end = piece.begin + b * (piece.end - piece.begin);
-  part.displacement = piece.displacement.restricted(a, b);
-  part.preimage = piece.preimage.restricted(a, b);
-  part.scale = piece.scale.restricted(a, b);
-  return part;
-}
+using surface_detail::exact_piece;
+using surface_detail::ExactPiece;
+using surface_detail::restricted;
 
 /// Calls visit(part, exact) for the pieces, halved until their weights are positive.
 template <class Visit>
@@ -242,7 +207,7 @@ std::optional<Fault> contact_fault(const Sweep& sweep, const TubeRadius& tube) {
                            : outer_radius(sweep);
   const double allowed = tube.radius.lower();
   if (sweep.profile.circle_radius()) {
-    if (outer <= allowed) return std::nullopt;
+    if (outer <= allowed || contact_of(sweep).free) return std::nullopt;
     std::string why;
     switch (tube.limit) {
       case TubeLimit::curvature:
@@ -271,10 +236,13 @@ std::optional<Fault> contact_fault(const Sweep& sweep, const TubeRadius& tube) {
   if (is_certainly_free(sweep, tube)) return std::nullopt;
   const SweepFold fold = fold_of(sweep);
   if (fold.kind != SweepFold::Kind::certain) return std::nullopt;
+  const double factor = largest_free_factor(sweep, tube, 1.0);
   return Fault{FaultCode::outside_domain,
                "the sweep folds at xi = " + to_text(fold.xi) +
-                   ", where the path is too curved for the profile; a profile within " +
-                   to_text(allowed) + " of the path does not meet itself",
+                   ", where the path is too curved for the profile; " +
+                   (factor > 0.0 ? "this one " + to_text(factor) + " times as large"
+                                 : "a profile within " + to_text(allowed) + " of the path") +
+                   " does not meet itself",
                std::nullopt,
                "profile",
                outer,

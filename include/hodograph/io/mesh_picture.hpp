@@ -24,10 +24,4 @@ struct MeshView {
 /// beside the eye. One path a triangle, about 60 bytes: take a coarse mesh.
 std::string mesh_svg(const TriangleMesh& mesh, const MeshView& view = {});
 
-/// A whole HTML page (UTF-8, no script, nothing outside the file): a title, rows of name and text,
-/// and pictures with their captions, SVG elements.
-std::string picture_page(const std::string& title, const std::string& summary,
-                         const std::vector<std::pair<std::string, std::string>>& rows,
-                         const std::vector<std::pair<std::string, std::string>>& pictures);
-
 }  // namespace hodograph

@@ -29,7 +29,11 @@ struct ReportData {
   std::optional<double> seconds{};                          ///< the time taken
   std::vector<std::pair<std::string, std::string>> more{};  ///< further rows: name and text
 
-  // ---- the pictures: the path, then quantities along ξ
+  // ---- the pictures: first ones under a heading of their own, the path, then quantities along ξ
+  std::string first_heading{};
+  std::vector<Plot> first{};
+  /// Drawings of other kinds under that heading: captions and <svg> elements.
+  std::vector<std::pair<std::string, std::string>> drawings{};
   FramedPolyline path{};
   std::vector<Series> surroundings{};       ///< drawn under a path in the plane, e.g. obstacles
   std::optional<double> curvature_limit{};  ///< drawn beside the curvature

@@ -70,9 +70,12 @@ SweepFold fold_of(const Sweep& sweep);
 double outer_radius(const Sweep& sweep);
 
 /// Why a sweep may not be made: a tube (a circle about the path) that is not certainly free of
-/// contact with itself, with the radius that would do; any other sweep that certainly folds.
-/// Nothing where it may. A sweep whose outer radius is below the tube radius is certainly free of
-/// contact, whatever its profile. Faults: outside_domain.
+/// contact with itself, with the radius that would do; any other sweep that certainly folds, with
+/// the factor of its profile that would do. Nothing where it may. Faults: outside_domain.
+///
+/// A sweep whose outer radius is below the tube radius is certainly free of contact, whatever its
+/// profile (is_certainly_free); others may be by their extent in each direction
+/// (surface/sweep_contact.hpp).
 std::optional<Fault> contact_fault(const Sweep& sweep, const TubeRadius& tube);
 bool is_certainly_free(const Sweep& sweep, const TubeRadius& tube);
 

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: MIT
+#include "hodograph/surface/sweep_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "exact_piece.hpp"
+
+namespace hodograph {
+namespace {
+
+using surface_detail::exact_piece;
+using surface_detail::ExactPiece;
+
+/// Rounding, of the numbers' size: coefficients carry some hundred ε after the halvings.
+constexpr double margin = 0x1.0p-40;
+constexpr std::size_t most_pairs = 100'000;
+constexpr int deepest = 24;
+constexpr std::size_t circle_sides = 32;
+
+/// An axis-parallel box, or an interval of vectors.
+struct Box {
+  Vector3<double> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  void add(const Vector3<double>& p) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  }
+  double size() const { return std::max(largest_component(low), largest_component(high)); }
+};
+
+struct Range {
+  double low = 0.0, high = 0.0;
+};
+Range times(const Range& a, const Range& b) {
+  const auto [low, high] =
+      std::minmax({a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high});
+  return {low, high};
+}
+Range component(const Box& b, std::size_t i) { return {b.low[i], b.high[i]}; }
+Box cross(const Box& a, const Box& b) {
+  Box c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const Range p = times(component(a, j), component(b, k));
+    const Range q = times(component(a, k), component(b, j));
+    c.low[i] = p.low - q.high;
+    c.high[i] = p.high - q.low;
+  }
+  return c;
+}
+
+/// A stretch of a piece: its exact products, and what is derived from them.
+struct Stretch {
+  ExactPiece exact;
+  DynamicPolynomial<Vector3<double>> displacement;
+  double begin = 0.0, end = 1.0;  ///< in ξ
+  int depth = 0;
+  std::vector<Vector3<double>> hull;  ///< points whose convex hull holds all cross-sections
+  Box sections, path, velocity, acceleration;
+  Vector3<double> middle{}, tangent{};
+  std::unique_ptr<Stretch> half[2];
+};
+
+/// The convex hull of the profile's control points in (e₂, e₃), counterclockwise.
+std::vector<Vector2<double>> corners_of(const Profile& profile) {
+  std::vector<Vector2<double>> points;
+  if (profile.circle_radius()) {
+    const double turn = 2.0 * std::numbers::pi / static_cast<double>(circle_sides);
+    const double radius = *profile.circle_radius() / std::cos(0.5 * turn);
+    for (std::size_t i = 0; i < circle_sides; ++i) {
+      const double angle = turn * static_cast<double>(i);
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return points;
+  }
+  for (const auto& piece : profile.pieces()) {
+    for (const auto& p : piece.control_points) points.push_back({p.y, p.z});
+  }
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::vector<Vector2<double>> hull;
+  for (int side = 0; side < 2; ++side) {  // Andrew's chains
+    const std::size_t first = hull.size();
+    for (const auto& p : points) {
+      while (hull.size() >= first + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull.empty() ? std::vector<Vector2<double>>{points.front()} : hull;
+}
+
+class Search {
+ public:
+  Search(const Sweep& sweep, double factor) : closed_(sweep.motion.is_closed()) {
+    corners_ = corners_of(sweep.profile);
+    for (auto& corner : corners_) corner = factor * corner;
+    for (const MotionPiece& piece : sweep.motion.pieces()) {
+      auto whole = std::make_unique<Stretch>();
+      whole->exact = exact_piece(piece);
+      whole->displacement =
+          piece.displacement.mapped([&](const Vector3<double>& d) { return piece.start + d; });
+      whole->begin = piece.begin;
+      whole->end = piece.end;
+      roots_.push_back(std::move(whole));
+    }
+    // At least four stretches, so that neighbours on a closed path are on one side only.
+    constexpr std::size_t least = 4;
+    for (bool more = true; more;) {
+      more = roots_.size() < least;
+      std::vector<std::unique_ptr<Stretch>> next;
+      for (auto& root : roots_) {
+        const auto& w = root->exact.weight.coefficients();
+        const bool positive = std::all_of(w.begin(), w.end(), [](double c) { return c > 0.0; });
+        if ((positive && roots_.size() >= least) || root->depth >= deepest) {
+          next.push_back(std::move(root));
+          continue;
+        }
+        split(*root);
+        next.push_back(std::move(root->half[0]));
+        next.push_back(std::move(root->half[1]));
+        more = true;
+      }
+      roots_ = std::move(next);
+    }
+    for (auto& root : roots_) {
+      if (!finish(*root)) bounded_ = false;
+    }
+  }
+
+  SweepContact run() {
+    SweepContact answer;
+    if (!bounded_) return answer;
+    struct Pair {
+      Stretch *first, *second;
+      bool adjacent;  // `second` begins where `first` ends
+    };
+    std::vector<Pair> open;
+    const std::size_t n = roots_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i; j < n; ++j) {
+        const bool round = closed_ && i == 0 && j + 1 == n;
+        Stretch* a = roots_[round ? j : i].get();
+        Stretch* b = roots_[round ? i : j].get();
+        open.push_back({a, b, round || j == i + 1});
+      }
+    }
+    while (!open.empty()) {
+      const Pair pair = open.back();
+      open.pop_back();
+      Stretch &a = *pair.first, &b = *pair.second;
+      if (++answer.pairs > most_pairs || a.depth > deepest || b.depth > deepest) {
+        answer.xi[0] = std::min(a.begin, b.begin);
+        answer.xi[1] = std::max(a.begin, b.begin);
+        return answer;
+      }
+      if (&a == &b) {
+        if (advances(a, a)) continue;
+        if (!halves(a)) return answer;
+        open.push_back({a.half[0].get(), a.half[0].get(), false});
+        open.push_back({a.half[1].get(), a.half[1].get(), false});
+        open.push_back({a.half[0].get(), a.half[1].get(), true});
+        continue;
+      }
+      if (pair.adjacent ? advances(a, a) && advances(a, b) : separated(a, b)) continue;
+      if (!halves(a) || !halves(b)) return answer;
+      for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j) {
+          open.push_back({a.half[i].get(), b.half[j].get(), pair.adjacent && i == 1 && j == 0});
+        }
+      }
+    }
+    answer.free = true;
+    return answer;
+  }
+
+ private:
+  static void split(Stretch& s) {
+    for (int i = 0; i < 2; ++i) {
+      const double from = i == 0 ? 0.0 : 0.5, to = i == 0 ? 0.5 : 1.0;
+      auto part = std::make_unique<Stretch>();
+      const auto cut = [&](const auto& f) { return f.restricted(from, to); };
+      part->exact = {
+          cut(s.exact.weight), cut(s.exact.center), {}, cut(s.exact.e2), cut(s.exact.e3)};
+      part->displacement = cut(s.displacement);
+      const double half = 0.5 * (s.begin + s.end);
+      part->begin = i == 0 ? s.begin : half;
+      part->end = i == 0 ? half : s.end;
+      part->depth = s.depth + 1;
+      s.half[i] = std::move(part);
+    }
+  }
+
+  /// Makes the halves where there are none yet; false where their numbers are no good.
+  bool halves(Stretch& s) const {
+    if (s.half[0]) return true;
+    split(s);
+    return finish(*s.half[0]) && finish(*s.half[1]);
+  }
+
+  /// Hulls and boxes. False where a weight is not positive.
+  bool finish(Stretch& s) const {
+    const std::size_t degree =
+        std::max({s.exact.center.degree(), s.exact.e2.degree(), s.exact.weight.degree()});
+    const auto weight = s.exact.weight.elevated(degree);
+    const auto center = s.exact.center.elevated(degree);
+    const auto e2 = s.exact.e2.elevated(degree), e3 = s.exact.e3.elevated(degree);
+    for (std::size_t i = 0; i <= degree; ++i) {
+      if (!(weight[i] > 0.0)) return false;
+      for (const auto& p : corners_) {
+        const Vector3<double> at = (1.0 / weight[i]) * (center[i] + (p.x * e2[i] + p.y * e3[i]));
+        if (!is_finite(at)) return false;
+        s.hull.push_back(at);
+        s.sections.add(at);
+      }
+    }
+    const auto velocity = s.displacement.derivative();
+    for (const auto& c : s.displacement.coefficients()) s.path.add(c);
+    for (const auto& c : velocity.coefficients()) s.velocity.add(c);
+    const auto acceleration = velocity.derivative();
+    for (const auto& c : acceleration.coefficients()) s.acceleration.add(c);
+    constexpr double half = 0.5;
+    s.middle = s.displacement.value(half);
+    s.tangent = velocity.value(half);
+    return true;
+  }
+
+  /// No section of `a` meets one of a or of its neighbour `b` on account of what is between, for η
+  /// in b.
+  static bool advances(const Stretch& a, const Stretch& b) {
+    const Box turn = cross(b.velocity, cross(b.acceleration, b.velocity));
+    double square = 0.0;  // ≤ |r'|²
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Range v = component(b.velocity, i);
+      if (v.low > 0.0) square += v.low * v.low;
+      if (v.high < 0.0) square += v.high * v.high;
+    }
+    double most = 0.0, terms = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Range x{a.sections.low[i] - b.path.high[i], a.sections.high[i] - b.path.low[i]};
+      const Range t = component(turn, i);
+      most += times(x, t).high;
+      terms += (a.sections.size() + b.path.size()) * std::max(std::abs(t.low), std::abs(t.high));
+    }
+    return square * square * (1.0 - margin) > most + margin * terms;
+  }
+
+  /// Whether a plane lies between the hulls: across one of some directions.
+  static bool separated(const Stretch& a, const Stretch& b) {
+    const double off = margin * std::max(a.sections.size(), b.sections.size());
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (a.sections.high[i] + off < b.sections.low[i] ||
+          b.sections.high[i] + off < a.sections.low[i]) {
+        return true;
+      }
+    }
+    const auto unit = [](const Vector3<double>& v) { return (1.0 / norm(v)) * v; };
+    const Vector3<double> s = unit(a.tangent), t = unit(b.tangent);
+    for (const Vector3<double>& d : {s + t, s, t, b.middle - a.middle}) {
+      const double size = norm(d);
+      if (!(size > 0.0)) continue;
+      double first = -Box::infinity, last = Box::infinity, high = -Box::infinity,
+             low = Box::infinity;
+      for (const auto& p : a.hull) {
+        const double at = dot(p, d);
+        first = std::max(first, at);
+        low = std::min(low, at);
+      }
+      for (const auto& p : b.hull) {
+        const double at = dot(p, d);
+        last = std::min(last, at);
+        high = std::max(high, at);
+      }
+      constexpr double components = 4.0;
+      if (first + components * size * off < last || high + components * size * off < low) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool closed_, bounded_ = true;
+  std::vector<Vector2<double>> corners_;
+  std::vector<std::unique_ptr<Stretch>> roots_;
+};
+
+}  // namespace
+
+SweepContact contact_of(const Sweep& sweep, double factor) {
+  if (!sweep.motion.is_adapted() || !sweep.profile.is_planar() || sweep.motion.roll() != nullptr) {
+    return {};
+  }
+  return Search(sweep, factor).run();
+}
+
+double largest_free_factor(const Sweep& sweep, const TubeRadius& tube, double most) {
+  if (tube.limit == TubeLimit::corner || tube.limit == TubeLimit::standstill) return 0.0;
+  constexpr int halvings = 10;
+  double low = std::min(most, tube.radius.lower() / outer_radius(sweep)), high = low;
+  if (low == most || contact_of(sweep, most).free) return most;
+  // Doubled until it is not certified, then bisected.
+  for (;;) {
+    high = std::min(most, 2.0 * low);
+    if (high == most || !contact_of(sweep, high).free) break;
+    low = high;
+  }
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (contact_of(sweep, middle).free ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace hodograph
