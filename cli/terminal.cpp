@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <utility>
 
@@ -12,6 +13,8 @@ namespace hodograph::cli {
 namespace {
 
 constexpr std::chrono::milliseconds between_updates{200};
+
+volatile std::sig_atomic_t interrupted = 0;
 
 std::string& typed_formula() {
   static std::string formula;
@@ -62,16 +65,41 @@ Progress::~Progress() {
   if (shown_) std::fputs("\r\x1b[K", stderr);
 }
 
-bool Progress::operator()(std::size_t segments, double fraction) {
+bool Progress::is_due() {
   const auto now = std::chrono::steady_clock::now();
-  if (!on_terminal_ || now - last_ < between_updates) return true;
+  if (!on_terminal_ || now - last_ < between_updates) return false;
   last_ = now;
   shown_ = true;
+  return true;
+}
+
+void Progress::show(const std::string& text) {
+  if (is_due()) std::fprintf(stderr, "\r\x1b[K%s: %s", what_.c_str(), text.c_str());
+}
+
+bool Progress::operator()(std::size_t segments, double fraction) {
+  if (!is_due()) return true;
   constexpr double percent = 100.0;
   std::fprintf(stderr, "\r\x1b[K%s: %zu segments, %.0f %%", what_.c_str(), segments,
                percent * fraction);
   return true;
 }
+
+InterruptGuard::InterruptGuard() {
+  interrupted = 0;
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  struct sigaction before {};
+  sigaction(SIGINT, nullptr, &before);
+  ignored_ = before.sa_handler == SIG_IGN;  // as a shell asks for jobs in the background
+  if (!ignored_) sigaction(SIGINT, &action, nullptr);
+}
+InterruptGuard::~InterruptGuard() {
+  if (!ignored_) std::signal(SIGINT, SIG_DFL);
+}
+bool InterruptGuard::requested() { return interrupted != 0; }
 
 void print(std::string_view text) {
   if (const auto fault = write_file("-", text)) throw Error(*fault);

@@ -34,11 +34,29 @@ class Progress {
 
   /// Shows how many segments cover which fraction of ξ; always true, as fit() asks.
   bool operator()(std::size_t segments, double fraction);
+  /// Shows any short text.
+  void show(const std::string& text);
 
  private:
+  bool is_due();
+
   std::string what_;
   bool on_terminal_ = false, shown_ = false;
   std::chrono::steady_clock::time_point last_;
+};
+
+/// While it lives, Ctrl-C does not end the program but is remembered, so that work can stop at the
+/// next good moment; a second Ctrl-C ends it as ever. One at a time.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+  static bool requested();
+
+ private:
+  bool ignored_ = false;
 };
 
 /// Writes to standard output, and throws Error (not_written) where that fails.

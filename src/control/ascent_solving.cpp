@@ -2,6 +2,13 @@
 #include "ascent_solving.hpp"
 
 namespace hodograph::ascent_detail {
+namespace {
+
+/// Objectives that agree to six digits are one minimum, and the guess that found it first counts.
+/// (Objectives here are positive.)
+constexpr double same_minimum = 1e-6;
+
+}  // namespace
 
 std::optional<Fault> check_number(const char* name, double value, double low, double high) {
   if (value >= low && value <= high) return std::nullopt;
@@ -47,7 +54,7 @@ Result<Best> best_of(NonlinearProgram& program, const AscentSolving& solving,
       continue;
     }
     ++converged;
-    if (best && !(answer->objective < best->facts.objective)) continue;
+    if (best && !(answer->objective < (1.0 - same_minimum) * best->facts.objective)) continue;
     best = Best{*std::move(answer), {}};
     const Solution& kept = best->solution;
     best->facts = {kept.objective,        now,        0, 0, kept.iterations, kept.seconds,
