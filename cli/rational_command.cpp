@@ -4,8 +4,8 @@
 
 #ifdef HODOGRAPH_HAS_RATIONAL
 #include <algorithm>
+#include <array>
 #include <cstdio>
-#include <filesystem>
 
 #include "cli/options.hpp"
 #include "cli/rational_input.hpp"
@@ -23,7 +23,7 @@ struct RationalFlags {
   std::vector<std::string> input, coefficients;
   std::vector<double> interval;
   std::size_t described = usual_described_curves;
-  std::string output = "-", picture, nurbs, path;
+  std::string output = "-", picture, nurbs, dxf, path;
   bool json = false, latex = false, examples = false;
 };
 
@@ -89,15 +89,12 @@ std::string examples_text(const RationalFlags& flags) {
   return out + "\n";
 }
 
-void write(const std::string& file, const std::string& text) {
-  if (const auto fault = write_file(file, text)) throw Error(*fault);
-}
-
 void run(const RationalFlags& flags) {
   if (flags.json && flags.latex) refuse("--json and --latex exclude each other", "latex");
   if (flags.examples) {
     if (!flags.input.empty()) refuse("--examples takes no other input", "examples");
-    return write(flags.output, examples_text(flags));
+    if (const auto fault = write_file(flags.output, examples_text(flags))) throw Error(*fault);
+    return;
   }
   if (flags.input.empty()) {
     refuse(
@@ -105,29 +102,39 @@ void run(const RationalFlags& flags) {
         "\"alpha = t^3\" (see hodograph rational --help)",
         "input");
   }
-  const bool wants_interval = !flags.nurbs.empty() || !flags.path.empty();
+  const bool wants_interval = !flags.nurbs.empty() || !flags.dxf.empty() || !flags.path.empty();
   if (wants_interval && flags.interval.empty()) {
-    refuse("--nurbs and --path need --interval A,B", "interval");
+    refuse("--nurbs, --dxf and --path need --interval A,B", "interval");
+  }
+  const std::array<const std::string*, 5> names = {&flags.output, &flags.picture, &flags.nurbs,
+                                                   &flags.dxf, &flags.path};
+  if (std::count_if(names.begin(), names.end(), [](const auto* name) { return *name == "-"; }) >
+      1) {
+    refuse("only one file goes to standard output; name the others, the answer by --out", "out");
   }
   const RationalAnswer answer = answer_of(problem_of(flags));
-  std::string note;
   std::optional<std::pair<double, double>> interval;
   if (!flags.interval.empty()) interval = {flags.interval[0], flags.interval[1]};
+  // All texts first: what fails leaves no file.
+  std::vector<std::pair<std::string, std::string>> files;
   if (!flags.picture.empty()) {
-    write(flags.picture, to_svg(rational_pictures(shown_curve(answer), interval), 2));
-    note += "wrote " + flags.picture + "\n";
+    files.emplace_back(flags.picture, to_svg(rational_pictures(shown_curve(answer), interval), 2));
   }
   if (!flags.nurbs.empty()) {
     std::string text;
     append_json(text, nurbs_of(shown_curve(answer), interval->first, interval->second));
-    write(flags.nurbs, text + "\n");
-    note += "wrote " + flags.nurbs + "\n";
+    files.emplace_back(flags.nurbs, text + "\n");
+  }
+  if (!flags.dxf.empty()) {
+    files.emplace_back(flags.dxf, dxf_of(shown_curve(answer), interval->first, interval->second));
   }
   if (!flags.path.empty()) {
-    const MadePath made = path_of(shown_curve(answer), interval->first, interval->second,
-                                  "r(t) = " + to_text(shown_curve(answer).curve.position()));
-    write(flags.path, to_json(made.document));
-    note += "wrote " + flags.path + "\n";
+    constexpr std::size_t longest_source = 1000;  // characters
+    const std::string r = to_text(shown_curve(answer).curve.position());
+    const MadePath made =
+        path_of(shown_curve(answer), interval->first, interval->second,
+                r.size() <= longest_source ? "r(t) = " + r : shown_curve(answer).name);
+    files.emplace_back(flags.path, to_json(made.document));
   }
   std::string text;
   if (flags.json) {
@@ -138,10 +145,14 @@ void run(const RationalFlags& flags) {
   } else {
     text = text_of(answer);
   }
-  write(flags.output, text);
-  if (flags.output != "-") note += "wrote " + flags.output + "\n";
-  const bool taken =
-      flags.output == "-" || flags.picture == "-" || flags.nurbs == "-" || flags.path == "-";
+  files.emplace_back(flags.output, std::move(text));
+  std::string note;
+  bool taken = false;
+  for (const auto& [name, content] : files) {
+    if (const auto fault = write_file(name, content)) throw Error(*fault);
+    taken = taken || name == "-";
+    if (name != "-") note += "wrote " + name + "\n";
+  }
   if (taken) {
     std::fputs(note.c_str(), stderr);
   } else {
@@ -179,6 +190,8 @@ std::unique_ptr<Command> rational_command(CLI::App& program) {
                   "three views and the speed, between the poles (default: the whole line)");
   command->option("--nurbs", flags->nurbs, "FILE",
                   "JSON: rational Bezier pieces and one NURBS curve over the interval");
+  command->option("--dxf", flags->dxf, "FILE",
+                  "a curve in a plane z = constant over the interval as an exact spline for CAD");
   command->option("--path", flags->path, "FILE",
                   "a polynomial curve over the interval as a path document");
   command->examples(

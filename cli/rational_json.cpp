@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cli/rationals.hpp"
+#include "hodograph/io/dxf.hpp"
 
 namespace hodograph::cli {
 Json json_of(const RationalPolynomial& p) {
@@ -192,6 +193,25 @@ Json nurbs_of(const DescribedCurve& curve, double begin, double end) {
             {"knots", std::move(knots)},
             {"control_points", std::move(points)},
             {"weights", std::move(weights)}}}};
+}
+
+std::string dxf_of(const DescribedCurve& curve, double begin, double end) {
+  const VectorFunction& r = curve.curve.position();
+  const RationalFunction height(r.numerator().z, r.denominator());
+  if (!height.is_polynomial() || !height.numerator().is_constant()) {
+    throw Error(Fault{FaultCode::outside_domain,
+                      "a drawing holds a curve in a plane z = constant, and this one has z = " +
+                          to_text(height) + "; right would be --nurbs",
+                      std::nullopt, "z", std::nullopt, std::nullopt});
+  }
+  DxfCurves curves;
+  curves.layer = "curve";
+  for (const SpatialRationalBezier& piece : rational_bezier(curve.curve, begin, end).value()) {
+    RationalBezier flat{piece.begin, piece.end, {}, piece.weights};
+    for (const auto& p : piece.control_points) flat.control_points.push_back({p.x, p.y});
+    curves.pieces.push_back(std::move(flat));
+  }
+  return to_dxf(std::vector<DxfCurves>{std::move(curves)}).value();
 }
 
 }  // namespace hodograph::cli

@@ -129,6 +129,8 @@ std::vector<Plot> rational_pictures(const DescribedCurve& curve,
                                     const std::optional<std::pair<double, double>>& interval);
 /// The curve over [begin, end] as rational Bézier pieces and as one NURBS curve. Throws Error.
 Json nurbs_of(const DescribedCurve& curve, double begin, double end);
+/// A curve in a plane z = constant over [begin, end] as DXF, without that z. Throws Error.
+std::string dxf_of(const DescribedCurve& curve, double begin, double end);
 /// The polynomial curve over [begin, end] as a path document. Throws Error.
 MadePath path_of(const DescribedCurve& curve, double begin, double end, const std::string& source);
 

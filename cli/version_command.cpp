@@ -22,6 +22,9 @@ std::string version_text() {
 #ifdef HODOGRAPH_HAS_CERTIFY
   text += ", certify";
 #endif
+#ifdef HODOGRAPH_HAS_RATIONAL
+  text += ", rational";
+#endif
   return text + "\nreads and writes " + std::string(document_format) + " documents, version " +
          std::to_string(document_version) + "\n";
 }

@@ -280,6 +280,19 @@ TEST(RationalCommand, DrawsAndExports) {
             nurbs["control_points"].size() + nurbs["degree"].get<std::size_t>() + 1);
   EXPECT_EQ(nurbs["weights"].size(), nurbs["control_points"].size());
 
+  // A curve in the plane is a drawing.
+  const std::string circle = "A = 1 + t k; r = (2t, t^2 - 1, 3)/(t^2 + 1) + (0, 0, 1/(t^2 + 1))";
+  expect_refused(program.run({"rational", circle, "--dxf", "x.dxf", "--interval", "0,1"}),
+                 "not parallel");
+  const Outcome drawing =
+      program.run({"rational", "A = 1 + t k; r = (2t, t^2 - 1, 3t^2 + 3)/(t^2 + 1)", "--dxf",
+                   "circle.dxf", "--interval", "-1,1", "-o", "circle.txt"});
+  ASSERT_EQ(drawing.code, 0) << drawing.err;
+  EXPECT_NE(text_of_file(program.path("circle.dxf")).find("SPLINE"), std::string::npos);
+  expect_refused(program.run({"rational", question, "--dxf", "x.dxf", "--interval", "1,2"}),
+                 "--nurbs");
+  EXPECT_EQ(text_of_file(program.path("x.dxf")), "");
+
   // A polynomial curve is a path.
   const Outcome path = program.run({"rational", "A = t^2 - (i+j)t + k; alpha = 1; degree = 5",
                                     "--path", "path.json", "--interval", "0,1"});
@@ -367,6 +380,8 @@ TEST(RationalCommand, PointsAtMistakes) {
                  "coefficients");
   expect_refused(run({"A = t + k; alpha = t^3", "--coefficients", "t"}), "numbers");
   expect_refused(run({"A = t + k; alpha = t^3", "--nurbs", "-"}), "--interval");
+  expect_refused(run({"A = t + k; alpha = t^3", "--nurbs", "-", "--interval", "1,2"}),
+                 "only one file");
   expect_refused(run({"A = t + j; alpha = t^3", "--nurbs", "x.json", "--interval", "-1,1"}),
                  "a pole");
   expect_refused(run({"A = t + j; alpha = t^3", "--svg", "x.svg", "--interval", "2,1"}), "larger");
