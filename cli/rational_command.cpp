@@ -197,7 +197,7 @@ std::unique_ptr<Command> rational_command(CLI::App& program) {
   command->examples(
       {"hodograph rational \"A = t^2 - (i+j)*t + k\" \"alpha = t^3\"",
        "hodograph rational \"A = t^2 - (i+j)*t + k; alpha = (t+1)^2; degree = 7\" --json",
-       "hodograph rational curve.txt --svg curve.svg --interval 1,4 --nurbs curve.json",
+       "hodograph rational rational.txt --svg curve.svg --interval 1,4 --nurbs curve.json",
        "hodograph rational --examples --latex -o examples.tex"});
   command->note(
       "A is a quaternion polynomial (units i, j, k), alpha the denominator of r = -2 B/alpha,\n"

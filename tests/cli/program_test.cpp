@@ -17,10 +17,10 @@ using Json = nlohmann::json;
 
 constexpr const char* curve_23 = "1.5*sin(7.2*t), cos(9*t), exp(cos(1.8*t))";
 
-const std::vector<std::string> commands = {"fit",        "orbit",  "hermite", "corner", "loop",
-                                           "climb",      "frame",  "sweep",   "plan",   "swarm",
-                                           "separation", "spline", "offset",  "sample", "inspect",
-                                           "check",      "plot",   "batch",   "version"};
+const std::vector<std::string> commands = {
+    "fit",     "orbit", "hermite", "corner",     "loop",    "climb",   "frame",
+    "sweep",   "plan",  "swarm",   "separation", "spline",  "offset",  "sample",
+    "inspect", "check", "plot",    "batch",      "version", "rational"};
 
 /// Fits curve (23) of the PHODCOS paper into curve.json.
 void make_curve(const Program& program) {
