@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph ascend: from the Moon's surface to the Lunar Gateway's orbit.
 #include "cli/commands.hpp"
+#include "hodograph/foundation/fault.hpp"
 
 #ifdef HODOGRAPH_HAS_CONTROL
 #include <algorithm>
