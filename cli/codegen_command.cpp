@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 // hodograph codegen: one path as C99 source text.
+#include "cli/commands.hpp"
+
+#ifdef HODOGRAPH_HAS_CONTROL
 #include <filesystem>
 #include <memory>
 
-#include "cli/commands.hpp"
 #include "cli/options.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/control/code_generation.hpp"
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
+#endif
 
 namespace hodograph::cli {
+
+#ifdef HODOGRAPH_HAS_CONTROL
 namespace {
 
 struct CodegenFlags {
@@ -58,5 +63,20 @@ std::unique_ptr<Command> codegen_command(CLI::App& program) {
   command->run([flags] { run(*flags); });
   return command;
 }
+
+#else
+
+std::unique_ptr<Command> codegen_command(CLI::App& program) {
+  auto command = std::make_unique<Command>(program, "codegen",
+                                           "Not in this program: it was built without Ipopt.");
+  command->run([] {
+    throw Error(Fault{FaultCode::unsupported,
+                      "this program was built without the component control: it cannot write code",
+                      std::nullopt, "command", std::nullopt, std::nullopt});
+  });
+  return command;
+}
+
+#endif
 
 }  // namespace hodograph::cli

@@ -197,10 +197,10 @@ int run_program(int count, const char* const* arguments) {
                            plan_command,       swarm_command,
                            separation_command, offset_command,
                            frame_command,      sweep_command,
-                           codegen_command,    sample_command,
-                           inspect_command,    check_command,
-                           plot_command,       batch_command,
-                           version_command}) {
+                           follow_command,     codegen_command,
+                           sample_command,     inspect_command,
+                           check_command,      plot_command,
+                           batch_command,      version_command}) {
     commands.push_back(make(program));
   }
   try {

@@ -26,6 +26,7 @@ std::unique_ptr<Command> swarm_command(CLI::App& program);
 std::unique_ptr<Command> separation_command(CLI::App& program);
 std::unique_ptr<Command> offset_command(CLI::App& program);
 std::unique_ptr<Command> sweep_command(CLI::App& program);
+std::unique_ptr<Command> follow_command(CLI::App& program);
 std::unique_ptr<Command> codegen_command(CLI::App& program);
 std::unique_ptr<Command> sample_command(CLI::App& program);
 std::unique_ptr<Command> inspect_command(CLI::App& program);

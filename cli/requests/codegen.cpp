@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The request "codegen".
 #include "cli/requests/handlers.hpp"
+
+#ifdef HODOGRAPH_HAS_CONTROL
 #include "hodograph/control/code_generation.hpp"
+#endif
 
 namespace hodograph::cli {
+
+#ifdef HODOGRAPH_HAS_CONTROL
 
 Answer answer_codegen(Members& request) {
   const PathDocument document = request.document();
@@ -19,5 +24,14 @@ Answer answer_codegen(Members& request) {
   answer.result["source"] = std::move(code.source);
   return answer;
 }
+
+#else
+
+Answer answer_codegen(Members&) {
+  throw Error(Fault{FaultCode::unsupported, "this program was built without the component control",
+                    std::nullopt, "request", std::nullopt, std::nullopt});
+}
+
+#endif
 
 }  // namespace hodograph::cli

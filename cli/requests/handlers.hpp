@@ -35,6 +35,7 @@ Answer answer_inspect(Members& request);
 Answer answer_analyse(Members& request);
 Answer answer_offset(Members& request);
 Answer answer_sweep(Members& request);
+Answer answer_follow(Members& request);
 Answer answer_codegen(Members& request);
 Answer answer_intersections(Members& request);
 Answer answer_operate(Members& request);

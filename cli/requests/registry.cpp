@@ -58,6 +58,7 @@ std::span<const RequestKind> request_kinds() {
                   answer_analyse},
       RequestKind{"offset", "the exact rational offset of a planar path", answer_offset},
       RequestKind{"sweep", "a surface swept along a path: mesh facts, and a file", answer_sweep},
+      RequestKind{"follow", "a path in least time within a tube round it", answer_follow},
       RequestKind{"codegen", "a path as C99 source text", answer_codegen},
       RequestKind{"intersections", "where a planar path meets another one, a line or a segment",
                   answer_intersections},
