@@ -9,8 +9,8 @@ namespace {
 
 TEST(HermiteRandom, EverySetIsMetOrRightlyRefused) {
   Random random("hermite campaign");
-  const auto counts =
-      run_campaign(random, 20000, [](const std::string& complaint) { ADD_FAILURE() << complaint; });
+  const auto counts = run_campaign(
+      random, cases(20000), [](const std::string& complaint) { ADD_FAILURE() << complaint; });
   // The harmless kinds are all accepted by the default.
   for (const DataKind kind : {DataKind::tame, DataKind::scaled}) {
     const CampaignCount& count = counts[static_cast<std::size_t>(kind)];
@@ -22,7 +22,7 @@ TEST(HermiteRandom, EverySetIsMetOrRightlyRefused) {
 TEST(HermiteRandom, PathsMeetHostileDataOrRefuseThem) {
   Random random("hostile hermite paths");
   std::size_t accepted = 0;
-  for (int repeat = 0; repeat < 3000; ++repeat) {
+  for (int repeat = 0; repeat < cases(3000); ++repeat) {
     std::vector<double> knots;
     std::vector<HermitePoint<4>> points;
     const RandomCurve curve(random);
@@ -49,7 +49,7 @@ TEST(HermiteRandom, PathsMeetHostileDataOrRefuseThem) {
       }
     }
   }
-  EXPECT_GE(accepted, 1200U);
+  EXPECT_GE(accepted, cases(1200U));
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ TEST(LoopChoice, WithOneNumberHeldIsAsGoodAsAFineGrid) {
 
 TEST(LoopChoice, PassesThroughAPointOfALoop) {
   Random random("loops through a point");
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < cases(12); ++i) {
     const LoopPlacement placement = random_placement(random);
     const LoopShape shape{random.uniform(-2.0, 2.0), random.uniform(-pi, pi)};
     const auto loop = closed_loop(shape, placement).value();

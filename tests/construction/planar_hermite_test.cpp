@@ -131,7 +131,7 @@ PlanarHermiteProblem random_problem(Random& random) {
 TEST(PlanarHermite, MeetsRandomDataAndTheBatchGivesTheSameBits) {
   Random random("planar hermite data");
   std::vector<PlanarHermiteProblem> problems;
-  for (int i = 0; i < 100000; ++i) problems.push_back(random_problem(random));
+  for (int i = 0; i < cases(100000); ++i) problems.push_back(random_problem(random));
   std::vector<PlanarHermiteAnswer> answers(problems.size());
   const auto fault = planar_hermite(problems, answers);
   ASSERT_FALSE(fault) << fault->sentence;

@@ -16,7 +16,7 @@ namespace {
 TEST(PlanarSplineRandom, HostilePointsAreInterpolatedOrRefusedWithReason) {
   Random random("planar spline hostile points");
   const auto campaign = run_spline_campaign(
-      random, 2200, [](const std::string& complaint) { ADD_FAILURE() << complaint; });
+      random, cases(2200), [](const std::string& complaint) { ADD_FAILURE() << complaint; });
   print_spline_campaign(campaign);
 }
 
@@ -39,7 +39,7 @@ TEST(PlanarSplineRandom, NewtonTakesAtMostTwelveStepsOnRandomPoints) {
 TEST(PlanarSplineRandom, AnyNumbersGiveAPathOrAFault) {
   Random random("planar spline hostile numbers");
   std::map<std::string, int> faults;
-  for (int repeat = 0; repeat < 4000; ++repeat) {
+  for (int repeat = 0; repeat < cases(4000); ++repeat) {
     Points points = random_walk(random, 2 + random.index(10), 1.0);
     const double share = random.unit();
     for (auto& q : points) {

@@ -148,7 +148,7 @@ TEST(PrescribedLength, MeetsRandomDataAndTheBatchGivesTheSameBits) {
   std::vector<PrescribedLengthProblem> problems;
   std::vector<PrescribedLength> singles;
   int refused = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < cases(100000); ++i) {
     const PrescribedLengthProblem p = random_problem(random);
     const auto found = prescribed_length_curve(p.begin, p.end, p.length, p.step);
     const double chord = norm((1 / p.length) * (p.end.position - p.begin.position));

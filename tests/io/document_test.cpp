@@ -432,7 +432,7 @@ TEST(Document, DamagedTextsGiveOneSentence) {
     const auto document = parse_document(std::string_view(whole).substr(0, cut));
     ASSERT_FALSE(document) << "cut at " << cut;
   }
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < test::cases(20000); ++i) {
     std::string text = whole;
     for (std::int64_t changes = random.integer(1, 3); changes > 0; --changes) {
       const std::size_t at = random.index(text.size());

@@ -79,7 +79,7 @@ TEST(PlanarCurvature, StationaryPointsAreGolden) {
 
 TEST(PlanarCurvature, KindsAlternateAndInflectionsSeparateSigns) {
   Random random("planar curvature: kinds");
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::cases(200); ++i) {
     const auto path = path_of(test::wild_preimage<Complex<double>, 2>(random), {}, 0.5);
     const auto points = curvature_stationary_points(path);
     for (std::size_t k = 1; k < points.size(); ++k) EXPECT_NE(points[k].kind, points[k - 1].kind);
@@ -192,7 +192,7 @@ bool judge(const BernsteinPolynomial<Complex<double>, n>& preimage, double step)
 TEST(PlanarCurvature, QuickBoundsHold) {
   Random random("planar curvature: quick bounds");
   int settled = 0, count = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < test::cases(400); ++i) {
     const double scale = std::exp2(random.uniform(-40.0, 40.0));
     const auto scaled = [&](auto w) { return scale * w; };
     const double step = random.uniform(0.01, 3.0);
@@ -207,7 +207,7 @@ TEST(PlanarCurvature, QuickBoundsHold) {
 
 TEST(PlanarCurvature, QuickBoundsHoldNearCuspsSymmetryAndLines) {
   Random random("planar curvature: special quintics");
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::cases(200); ++i) {
     const double small = std::exp2(random.uniform(-50.0, -2.0));
     auto w = test::wild_preimage<Complex<double>, 2>(random);
     w[1] = {w[1].re, small * w[1].im};  // symmetric but for a little
@@ -230,7 +230,7 @@ TEST(PlanarCurvature, QuickBoundsHoldNearCuspsSymmetryAndLines) {
 
 TEST(PlanarCurvature, LinesAndRoundedCornersSettleQuickly) {
   Random random("planar curvature: corners");
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::cases(200); ++i) {
     const auto v = random.complex(1.0);
     EXPECT_TRUE(judge(Quintic::Preimage({v, v, v}), 1.0));
     // Straight at both ends, the peak half-way.
@@ -263,7 +263,7 @@ TEST(PlanarCurvature, SegmentsThatDoNotSettleAreSubdividedAlone) {
 
 TEST(PlanarCurvature, HoldsOnHostilePreimages) {
   Random random("planar curvature: hostile preimages");
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::cases(300); ++i) {
     Quintic::Preimage preimage;
     for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t j = 0; j < 2; ++j) {

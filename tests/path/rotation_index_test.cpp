@@ -15,6 +15,7 @@
 namespace hodograph {
 namespace {
 
+using test::cases;
 using test::Random;
 constexpr double pi = std::numbers::pi;
 
@@ -127,7 +128,7 @@ TEST(RotationIndex, OfSimpleCurves) {
 
 TEST(RotationIndex, OfQuinticsEqualsTheSumOfSmallSteps) {
   Random random("rotation index of quintics");
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < cases(1500); ++i) {
     const auto curve = random_curve<2>(random);
     const Reference expected = by_small_steps(curve);
     if (expected.least < 0.02) continue;  // where the steps are not small
@@ -149,7 +150,7 @@ TEST(RotationIndex, OfQuinticsEqualsTheSumOfSmallSteps) {
 
 template <std::size_t n>
 void expect_sums_of_small_steps(Random& random, int count) {
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < cases(count); ++i) {
     const auto curve = random_curve<n>(random);
     const Reference expected = by_small_steps(curve);
     if (expected.least < 0.02) continue;
@@ -193,7 +194,7 @@ TEST(RotationIndex, ClosedFormAndSubdivisionAgree) {
 
 TEST(RotationIndex, DoesNotDependOnPlaceScaleOrDirection) {
   Random random("invariance of the rotation index");
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < cases(2000); ++i) {
     const auto curve = random_curve<2>(random);
     const double index = absolute_rotation_index(curve);
     for (const int exponent : {-249, 249}) {
@@ -226,7 +227,7 @@ TEST(RotationIndex, DoesNotDependOnPlaceScaleOrDirection) {
 
 TEST(RotationIndex, NeverFailsOnHostilePreimages) {
   Random random("hostile rotation index");
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < cases(20000); ++i) {
     BernsteinPolynomial<Complex<double>, 2> w;
     for (std::size_t k = 0; k < 3; ++k) {
       // Squares of components stay finite.

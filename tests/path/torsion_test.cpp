@@ -112,7 +112,7 @@ TEST(TorsionExtremes, HoldOnRandomPaths) {
 
 TEST(TorsionExtremes, HoldOnClosedLoops) {
   Random random("torsion bounds of loops");
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < cases(60); ++i) {
     const LoopShape shape{random.uniform(-2.0, 2.0), random.uniform(-3.1, 3.1)};
     check(closed_loop(shape, {1.0, {}, random.rotation()}).value());
     const auto juncture = closed_loop_juncture(shape).value();

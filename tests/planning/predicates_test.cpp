@@ -80,7 +80,7 @@ TEST(Sectors, AgreeWithTheirAnglesOnALattice) {
     return turn > full - same_angle ? 0.0 : std::fabs(turn);
   };
   const Point apex{};
-  for (int round = 0; round < 20000; ++round) {
+  for (int round = 0; round < test::cases(20000); ++round) {
     const Point p = direction(), q = direction(), r = direction(), s = direction();
     const double to_q = angle(p, q), to_r = angle(p, r), to_s = angle(p, s);
     const int order = std::fabs(to_q - to_r) < same_angle ? 0 : to_q < to_r ? -1 : 1;

@@ -19,6 +19,7 @@
 namespace hodograph {
 namespace {
 
+using test::cases;
 using test::Random;
 using test::Wide;
 using test::WideMotion;
@@ -181,7 +182,7 @@ void check_against_reference(const Both& a, const Both& b, double vertical_scale
 
 TEST(Separation, ContainsTheReferenceIn50Digits) {
   Random random("Separation.ContainsTheReferenceIn50Digits");
-  for (int trial = 0; trial < 30; ++trial) {
+  for (int trial = 0; trial < cases(30); ++trial) {
     SCOPED_TRACE(trial);
     const Both a = random_motion(random), b = random_motion(random);
     check_against_reference(a, b, random.chance(0.7) ? 1.0 : std::exp(random.uniform(-1.5, 0.5)));
@@ -190,7 +191,7 @@ TEST(Separation, ContainsTheReferenceIn50Digits) {
 
 TEST(Separation, IsSymmetricAndMovesWithTime) {
   Random random("Separation.IsSymmetricAndMovesWithTime");
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < cases(100); ++trial) {
     const TimedMotion a = random_motion(random).motion, b = random_motion(random).motion;
     const auto one = least_separation(a, b), other = least_separation(b, a);
     ASSERT_EQ(one.has_value(), other.has_value());
@@ -316,7 +317,7 @@ TEST(Separation, HoldsOnLongPathsFarFromTheOrigin) {
 
 TEST(Separation, FindsThePassages) {
   Random random("Separation.FindsThePassages");
-  for (int trial = 0; trial < 30; ++trial) {
+  for (int trial = 0; trial < cases(30); ++trial) {
     const TimedMotion a = random_motion(random).motion, b = random_motion(random).motion;
     const auto window = common_window(a, b);
     if (!window) continue;

@@ -21,6 +21,18 @@
 
 namespace hodograph::test {
 
+/// How many random cases a test draws where it asks for `count`: all of them, or an eighth where
+/// sanitizers watch every access, which makes a case ten times as long and shows what it shows
+/// within the first hundreds.
+template <class Count>
+constexpr Count cases(Count count) {
+#if defined(__SANITIZE_ADDRESS__)
+  return (count + 7) / 8;
+#else
+  return count;
+#endif
+}
+
 /// A named sequence of random numbers. Every failure in the scope of a Random prints its name and
 /// seed; the environment variable HODOGRAPH_TEST_SEED (a whole number) draws another set of
 /// sequences in all tests. Make it a local variable of the test.
