@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph codegen: one path as C99 source text.
 #include "cli/commands.hpp"
+#include "hodograph/foundation/result.hpp"
 
 #ifdef HODOGRAPH_HAS_CONTROL
 #include <filesystem>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph follow: a path as fast as a vehicle can, within a tube round it.
 #include "cli/commands.hpp"
+#include "hodograph/foundation/result.hpp"
 
 #ifdef HODOGRAPH_HAS_CONTROL
 #include <cstdio>
