@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -465,6 +466,23 @@ TEST(RationalCommand, LeavesNoFileWhereItFails) {
                               "--interval", "-1,1"}),
                  "a pole");
   EXPECT_EQ(text_of_file(program.path("old.json")), "old");
+
+  // Nor where it is stopped in the midst of some seconds' work.
+  std::uint64_t state = 1;
+  const auto polynomial = [&] {
+    std::string text = "(1";
+    for (int k = 1; k <= 64; ++k) {
+      state = state * 6364136223846793005u + 1442695040888963407u;
+      text += " + " + std::to_string(state >> 2U) + "t^" + std::to_string(k);
+    }
+    return text + ")";
+  };
+  std::string a = "A = " + polynomial();
+  for (const char* unit : {"i", "j", "k"}) a += " + " + polynomial() + unit;
+  write_text(program.path("long.txt"), a + "\nalpha = " + polynomial());
+  const Outcome stopped = program.shell(
+      "timeout -s INT 0.2 hodograph rational long.txt -o old.json --svg new.svg; cat old.json; ls");
+  EXPECT_EQ(stopped.out, "oldlong.txt\nold.json\n");
 }
 
 }  // namespace
