@@ -55,7 +55,9 @@ int fail(const std::string& sentence, ExitCode exit) {
 }
 
 int fail(const Fault& fault) {
-  const int exit = fail(fault.sentence, is_no_solution(fault.code) ? no_solution : bad_input);
+  const int exit = fail(fault.sentence, fault.code == FaultCode::cancelled ? other
+                                        : is_no_solution(fault.code)       ? no_solution
+                                                                           : bad_input);
   if (fault.quantity == "formula" && fault.index) show_place(*fault.index);
   if (fault.quantity == "text") show_remembered_place();
   return exit;

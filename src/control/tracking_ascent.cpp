@@ -83,7 +83,7 @@ Result<TrackingAscent> tracking_ascent(const AscentReference& reference, const A
   // shorter or the longer way round in θ, directly or as (θ + π, π - φ), which is the same
   // direction, over the first third of the horizon or all of it.
   const auto guess = [&](std::size_t number) {
-    const bool over = number % 2 == 1, longer = number / 2 % 2 == 1, slow = number / 4 % 2 == 1;
+    const bool over = number % 2 == 0, longer = number / 2 % 2 == 0, slow = number / 4 % 2 == 1;
     Angles end = angles_of(tangents.back());
     if (over) end = {end.theta + pi, pi - end.phi};
     end = {turned_near(end.theta, first.theta), turned_near(end.phi, first.phi)};
