@@ -4,6 +4,7 @@
 
 #ifdef HODOGRAPH_HAS_RATIONAL
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include "cli/rational_hermites.hpp"
@@ -25,10 +26,6 @@ struct RationalHermiteFlags {
   bool json = false;
 };
 
-void write(const std::string& file, const std::string& text) {
-  if (const auto fault = write_file(file, text)) throw Error(*fault);
-}
-
 RationalHermiteProblem problem_of(const RationalHermiteFlags& flags) {
   RationalHermiteProblem problem;
   problem.least_power = flags.least_power;
@@ -48,39 +45,56 @@ void run(const RationalHermiteFlags& flags) {
                       "\"P1 = (2, 9/4, 2); T0 = i; T1 = i + 2j + 2k\" (see --help)",
                       std::nullopt, "input", std::nullopt, std::nullopt});
   }
-  const RationalHermiteAnswer answer = answer_of(problem_of(flags));
-  std::string text;
-  if (flags.json) {
-    append_json(text, json_of(answer));
-    text += "\n";
-  } else {
-    text = text_of(answer);
+  const std::array<const std::string*, 4> names = {&flags.output, &flags.picture, &flags.nurbs,
+                                                   &flags.path};
+  if (std::count_if(names.begin(), names.end(), [](const auto* name) { return *name == "-"; }) >
+      1) {
+    throw Error(Fault{FaultCode::malformed_document,
+                      "only one file goes to standard output; name the others, the answer by --out",
+                      std::nullopt, "out", std::nullopt, std::nullopt});
   }
-  write(flags.output, text);
-  std::string note = flags.output == "-" ? "" : "wrote " + flags.output + "\n";
-  if (!answer.curve) {
+  const RationalHermiteAnswer answer = answer_of(problem_of(flags));
+  // All texts first: what fails leaves no file.
+  std::vector<std::pair<std::string, std::string>> files(1);
+  if (flags.json) {
+    append_json(files[0].second, json_of(answer));
+    files[0].second += "\n";
+  } else {
+    files[0].second = text_of(answer);
+  }
+  files[0].first = flags.output;
+  if (answer.curve) {
+    const double begin = answer.data.begin.to_double(), end = answer.data.end.to_double();
+    if (!flags.picture.empty()) {
+      files.emplace_back(flags.picture,
+                         to_svg(rational_pictures(*answer.curve, std::pair(begin, end)), 2));
+    }
+    if (!flags.nurbs.empty()) {
+      std::string text;
+      append_json(text, nurbs_of(*answer.curve, begin, end));
+      files.emplace_back(flags.nurbs, text + "\n");
+    }
+    if (!flags.path.empty()) {
+      const MadePath made = path_of(*answer.curve, begin, end, answer.sentence);
+      files.emplace_back(flags.path, to_json(made.document));
+    }
+  }
+  std::string note;
+  bool taken = false;
+  for (const auto& [name, content] : files) {
+    if (const auto fault = write_file(name, content)) throw Error(*fault);
+    taken = taken || name == "-";
+    if (name != "-") note += "wrote " + name + "\n";
+  }
+  if (taken) {
     std::fputs(note.c_str(), stderr);
+  } else {
+    print(note);
+  }
+  if (!answer.curve) {  // the proof is written; the status says that there is no curve
     throw Error(Fault{FaultCode::no_interpolant, answer.sentence, std::nullopt, "curve",
                       std::nullopt, std::nullopt});
   }
-  const double begin = answer.data.begin.to_double(), end = answer.data.end.to_double();
-  if (!flags.picture.empty()) {
-    write(flags.picture, to_svg(rational_pictures(*answer.curve, std::pair(begin, end)), 2));
-    note += "wrote " + flags.picture + "\n";
-  }
-  if (!flags.nurbs.empty()) {
-    std::string nurbs;
-    append_json(nurbs, nurbs_of(*answer.curve, begin, end));
-    write(flags.nurbs, nurbs + "\n");
-    note += "wrote " + flags.nurbs + "\n";
-  }
-  if (!flags.path.empty()) {
-    const MadePath made =
-        path_of(*answer.curve, begin, end, "r(t) = " + to_text(answer.curve->curve.position()));
-    write(flags.path, to_json(made.document));
-    note += "wrote " + flags.path + "\n";
-  }
-  std::fputs(note.c_str(), stderr);
 }
 
 }  // namespace
@@ -117,7 +131,7 @@ std::unique_ptr<Command> rational_hermite_command(CLI::App& program) {
       {"hodograph rational-hermite \"P1 = (2, 9/4, 2); T0 = i; T1 = i + 2j + 2k\"",
        "hodograph rational-hermite \"P1 = (2, 9/4, 2); v0 = 3i; v1 = i + 2j + 2k; base = t + 1\" "
        "--least-power 3 --most-power 8 --json",
-       "hodograph rational-hermite \"A = (1+t)i + 3/2 t j + t/2 k - t; P1 = (2, 2, 3/2)\" \"alpha "
+       "hodograph rational-hermite \"A = i + (i + 3/2 j + 1/2 k - 1)t; P1 = (2, 2, 3/2)\" \"alpha "
        "= "
        "(t+1)^5; degree = 12\" --svg curve.svg --nurbs curve.json"});
   command->note(

@@ -107,10 +107,20 @@ std::string text_of(const RationalHermiteAnswer& answer) {
   text += row(answer.a_chosen ? "A, chosen" : "A", to_text(answer.a));
   text += row("cone test", std::string(word_of(answer.cone.outcome)) + ": " + answer.cone.sentence);
   if (answer.search) {
+    std::size_t contradictions = 0;
     for (const SearchedSpace& space : answer.search->before) {
-      text += row("deg B <= " + std::to_string(space.degree),
-                  (answer.problem.base ? "power " + std::to_string(space.power) + ": " : "") +
-                      space.answer.sentence);
+      if (space.answer.reason == Reason::contradiction) {
+        ++contradictions;
+        continue;
+      }
+      const std::string power =
+          answer.problem.base ? "base^" + std::to_string(space.power) + ": " : "";
+      text += row("deg B <= " + std::to_string(space.degree), power + space.answer.sentence);
+    }
+    if (contradictions > 0) {
+      text += row("left out",
+                  std::to_string(contradictions) +
+                      " smaller spaces, in which the conditions at the ends have no solution");
     }
   }
   if (answer.curves) {

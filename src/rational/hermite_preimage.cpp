@@ -10,8 +10,8 @@
 
 #include "flint.hpp"
 #include "hodograph/construction/hermite.hpp"
+#include "hodograph/rational/cusp_free.hpp"
 #include "hodograph/rational/motion_polynomial.hpp"
-#include "hodograph/rational/real_roots.hpp"
 #include "hodograph/rational/reduction.hpp"
 #include "hodograph/rational/text.hpp"
 #include "least_value.hpp"
@@ -109,6 +109,27 @@ std::optional<ChosenPreimage> accepted(const HermiteEnds& ends, const PreimageFr
       cone_test(indicatrix(reduced.reduced), ends.chord, ends.begin, ends.end, few_rounds);
   if (cone.outcome != ConeTest::Outcome::inside) return std::nullopt;
   return ChosenPreimage{std::move(*a), freedom, std::move(cone)};
+}
+
+/// True when λ of the least degree that has as many coefficients as there are conditions is
+/// positive: near the quintic, whose own λ is 1, it is.
+bool serves(const HermiteEnds& ends, const QuaternionPolynomial& a) {
+  RationalHermiteData data{{}, ends.chord, {}, {}, ends.begin, ends.end};
+  std::size_t conditions = 3;
+  if (ends.begin_speed) {
+    data.begin_derivative = *ends.begin_speed * ends.begin_direction;
+    ++conditions;
+  }
+  if (ends.end_speed) {
+    data.end_derivative = *ends.end_speed * ends.end_direction;
+    ++conditions;
+  }
+  const auto e = static_cast<std::size_t>(degree(indicatrix(reduction(a)->reduced)));
+  const auto curves = HermiteCurves::create(*solve(a, 1, e + conditions), std::move(data));
+  if (!curves) return false;
+  constexpr std::size_t few_rounds = 4;
+  const auto answer = cusp_free_curve(*curves, {few_rounds, 0});
+  return answer && answer->outcome == CuspFreeAnswer::Outcome::found;
 }
 
 /// Preimages of quintics through the data, for several speeds at the ends.
@@ -279,13 +300,18 @@ Result<ChosenPreimage> chosen_preimage(const HermiteEnds& ends) {
   const RationalQuaternion first = direction_preimage(ends.begin_direction);
   const RationalQuaternion last = direction_preimage(ends.end_direction);
   const auto candidates = quintics(ends);
-  for (const long bits : {3L, 6L, 10L, 16L, 24L}) {
+  std::optional<ChosenPreimage> any;
+  for (const long bits : {3L, 5L, 7L, 10L, 14L, 19L, 24L}) {
     for (const auto& a : candidates) {
       const auto freedom = rounded_freedom(a, first, last, bits);
       if (!freedom) continue;
-      if (auto chosen = accepted(ends, *freedom)) return std::move(*chosen);
+      auto chosen = accepted(ends, *freedom);
+      if (!chosen) continue;
+      if (serves(ends, chosen->preimage)) return std::move(*chosen);
+      if (!any) any = std::move(chosen);
     }
   }
+  if (any) return std::move(*any);
   const Rational size = Rational(1, 2) * (largest_part(first) + largest_part(last));
   for (const RationalQuaternion& inner : small_inner_coefficients()) {
     for (const auto& [re, im] : {std::pair(1, 0), std::pair(0, 1), std::pair(-1, 0)}) {

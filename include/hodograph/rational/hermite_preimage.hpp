@@ -58,9 +58,10 @@ struct HermiteEnds {
 };
 /// A choice of what is free, for those who have no A: the preimage of degree 2 of the PH quintic
 /// in double through the data (hermite.hpp), with speeds of the size of the chord where only
-/// directions are given, rounded to few digits with the end directions kept exactly; the first
-/// whose cone of tangents holds the chord, so that cusp-free curves exist. Where no such quintic
-/// serves (a closed curve, tangents that ask it to turn back), a grid of small inner coefficients.
+/// directions are given, rounded to few digits with the end directions kept exactly; the first with
+/// a polynomial λ > 0 of degree 2 (4 for C¹ data), so that there is a curve of degree 7 (9); else
+/// the first whose cone of tangents holds the chord. Where no such quintic serves (a closed curve,
+/// tangents that ask it to turn back), a grid of small inner coefficients.
 struct ChosenPreimage {
   QuaternionPolynomial preimage;
   PreimageFreedom freedom;
