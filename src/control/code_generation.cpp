@@ -56,16 +56,13 @@ std::optional<Fault> name_fault(const std::string& name) {
   const bool taken = std::find(taken_words.begin(), taken_words.end(), std::string_view(name)) !=
                      taken_words.end();
   if (word && !taken) return std::nullopt;
-  return Fault{FaultCode::unsupported,
-               "\"" + name.substr(0, most_name_letters + 1) + "\" cannot name functions in C" +
-                   (taken ? ", which has this word" : "") +
-                   "; a name is letters, digits and underscores, begins with a letter, and has at "
-                   "most " +
-                   std::to_string(most_name_letters) + " of them",
-               std::nullopt,
-               "name",
-               std::nullopt,
-               std::nullopt};
+  std::string sentence = "\"";
+  sentence.append(name, 0, most_name_letters + 1);
+  sentence += "\" cannot name functions in C";
+  if (taken) sentence += ", which has this word";
+  sentence += "; a name is letters, digits and underscores, begins with a letter, and has at most ";
+  sentence += std::to_string(most_name_letters) + " of them";
+  return Fault{FaultCode::unsupported, sentence, std::nullopt, "name", std::nullopt, std::nullopt};
 }
 
 std::string replaced(std::string_view text, char mark, std::string_view by) {
@@ -91,7 +88,9 @@ std::string table(const std::string& name, const std::vector<double>& numbers) {
   constexpr std::size_t a_line = 4;
   std::string text = "static const double @_" + name + "[] = {";
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    text += (i == 0 ? "" : ",") + std::string(i % a_line == 0 ? "\n  " : " ") + exactly(numbers[i]);
+    text += i == 0 ? "" : ",";
+    text += i % a_line == 0 ? "\n  " : " ";
+    text += exactly(numbers[i]);
   }
   return text + "\n};\n";
 }

@@ -149,7 +149,7 @@ static void @_turning(@_form form, double (*jet)[@_components], int r, double *s
 
 /* 2 form(A, A') over the speed, and its derivatives. */
 static void @_rates(@_form form, double (*jet)[@_components], int order, double *rates) {
-  double sigma[3], reciprocal;
+  double sigma[3] = {0.0, 0.0, 0.0}, reciprocal;
   int i, j, r;
   for (r = 0; r <= order; ++r) @_square(@_speed_form, 1, jet, r, sigma + r);
   reciprocal = 1.0 / sigma[0];
@@ -260,7 +260,8 @@ int @_frame(double xi, int order, double *result) {
 }
 
 int @_curvature(double xi, int order, double *result) {
-  double jet[@_most + 1][@_components], sigma[3], turning[3], square, rate, second;
+  double jet[@_most + 1][@_components], square, rate, second;
+  double sigma[3] = {0.0, 0.0, 0.0}, turning[3] = {0.0, 0.0, 0.0};
   int r, status;
   if (order < 0 || order > 2) return @_unknown_order;
   status = @_jet_at(xi, order + 1, 1, jet);

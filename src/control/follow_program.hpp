@@ -69,6 +69,36 @@ class FollowProgram {
     program_.fix_start(state_of(start));
   }
 
+  /// Bounds the speed at the end: at one that the sharpest bend allows, whatever comes next; where
+  /// that cannot be reached from the start, at what can.
+  void end_slowly() {
+    if (!(stretch_.bend > 0.0)) return;
+    constexpr double spare = 0.9, half = 0.5;
+    const double sideways = planar ? limits_.lateral_acceleration : half * limits_.acceleration;
+    double braking = limits_.braking > 0.0 ? limits_.braking : limits_.acceleration;
+    if (!planar) braking *= half;
+    const double reachable = start_speed() - spare * spare * braking * options_.duration;
+    const double most =
+        std::min(limits_.speed, std::max(spare * std::sqrt(sideways / stretch_.bend), reachable));
+    if constexpr (planar) {
+      program_.state_ranges(options_.intervals)[3].upper = most;
+    } else {
+      program_.end_ranges()[0].upper = most * most;
+    }
+  }
+
+  /// Bounds the acceleration across the way (in the plane), and leaves the end's speed free.
+  void bound_lateral(double bound) {
+    if constexpr (planar) {
+      for (std::size_t k = 0; k < options_.intervals; ++k) {
+        program_.path_ranges(k)[0] = {-bound, bound};
+      }
+      program_.state_ranges(options_.intervals)[3].upper = limits_.speed;
+    } else {
+      program_.end_ranges()[0].upper = limits_.speed * limits_.speed;
+    }
+  }
+
   /// Bounds the offset at the nodes after the start.
   void bound_offset(double bound) {
     const std::size_t last = options_.intervals;

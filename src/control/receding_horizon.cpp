@@ -25,6 +25,9 @@ struct Planner {
 /// The barrier parameter that a warm start begins with.
 constexpr double warm_barrier = 1e-4;  // not a tolerance: between that of a guess and of an answer
 
+/// What a vehicle may do across its way to come back, as a multiple of its limit.
+constexpr double emergency = 2.0;
+
 double clamped(double x, double most) { return std::clamp(x, -most, most); }
 
 /// The nearest state that keeps the limits, for a solver that may start on them.
@@ -65,6 +68,8 @@ class Horizon final : public Planner {
         program_(path, stretch, limits, start, options) {
     program_.program().change_model().centre_weight =
         centre * options.duration / (limits.offset * limits.offset);
+    constexpr double wider = 4.0, inside = 0.95;
+    wide_ = std::max(limits.offset, std::min(wider * limits.offset, inside * stretch.tube));
   }
 
   Result<HorizonPlan> plan(const FollowStart& measured) override {
@@ -72,6 +77,7 @@ class Horizon final : public Planner {
     HorizonPlan plan;
     const FollowStart start = within(measured, limits_, Program::planar, plan.recovered);
     program_.set_start(start);
+    program_.end_slowly();
     if (!solver_) {
       auto made = Solver::make(program_.program(), options_.solver);
       if (!made) return made.fault();
@@ -91,7 +97,15 @@ class Horizon final : public Planner {
       plan.recovered = plan.recovered || known_;
       if (auto fault = solver_->change(options_.solver)) return *fault;
       solution = solver_->solve(program_.guess());
-      if (!*solution) return solution->fault();
+      if (!solution->has_value()) {  // no way within the tube from here: back to it by a wider one
+        plan.recovered = true;
+        program_.bound_offset(wide_);
+        program_.bound_lateral(emergency * limits_.lateral_acceleration);
+        solution = solver_->solve(program_.guess());
+        program_.bound_offset(limits_.offset);
+        program_.bound_lateral(limits_.lateral_acceleration);
+        if (!solution->has_value()) return solution->fault();
+      }
     }
     answer_ = **solution;
     known_ = true;
@@ -112,6 +126,7 @@ class Horizon final : public Planner {
   std::optional<Solver> solver_;
   Solution answer_;
   bool known_ = false;
+  double wide_ = 0.0;  // an offset for what is pushed out of reach of the tube
 };
 
 Fault number_fault(const char* name, double value) {

@@ -36,9 +36,12 @@ struct HorizonPlan {
 /// Plans for one path and one vehicle (a car in the plane, a point in space): as far along the path
 /// as possible within intervals · step seconds. Time is the independent variable.
 ///
-/// A measured state out of its bounds (offset, speed, heading) is moved to the nearest that keeps
-/// them, and `recovered` is set. Not for several threads at once; what is computed is
-/// deterministic, but for the time limit.
+/// A horizon ends at a speed that the path's sharpest bend allows, so that the next plan exists; it
+/// should be as long as braking to that takes. Where no way stays within the offset from where the
+/// vehicle was pushed to, one within four times the offset (and inside the path's tube) and twice
+/// the lateral acceleration is taken, and `recovered` is set. A measured state out of its bounds
+/// (offset, speed, heading) is moved to the nearest that keeps them, and `recovered` is set. Not
+/// for several threads at once; what is computed is deterministic, but for the time limit.
 class RecedingHorizon {
  public:
   /// Faults: those of follow().
