@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/measure.hpp"
@@ -106,7 +107,8 @@ class CubicSpline {
   std::vector<std::array<double, functions>> coefficients_;
 };
 
-/// Largest error of the functions (or of their derivative r), each relative to its largest value.
+/// Largest error of the functions (or of their derivative r), relative to the largest component of
+/// the vector, frame or number they belong to.
 double error_of(const CubicSpline& spline, const ReferencePath<Quaternion<double>>& path,
                 std::size_t r) {
   std::array<double, functions> size{}, error{};
@@ -121,7 +123,10 @@ double error_of(const CubicSpline& spline, const ReferencePath<Quaternion<double
     }
   }
   double largest = 0.0;
-  for (std::size_t f = 0; f < functions; ++f) largest = std::max(largest, error[f] / size[f]);
+  for (const auto& [first, last] : {std::pair{0, 3}, {3, 12}, {12, 15}, {15, 16}}) {
+    largest = std::max(largest, *std::max_element(error.begin() + first, error.begin() + last) /
+                                    *std::max_element(size.begin() + first, size.begin() + last));
+  }
   return largest;
 }
 

@@ -79,9 +79,9 @@ Result<TrackingAscent> tracking_ascent(const AscentReference& reference, const A
     program.control_ranges(k)[1] = program.control_ranges(k)[2] = rate_range;
   }
 
-  // Guesses: the place moves to the reference evenly; the angles turn to those of its end, the
-  // shorter or the longer way round in θ, directly or as (θ + π, π - φ), which is the same
-  // direction, over the first third of the horizon or all of it.
+  // Guesses: the place moves to the reference evenly; the angles turn to those of its end, as
+  // (θ + π, π - φ), which is the same direction, or directly, the longer or the shorter way round
+  // in θ, over the first third of the horizon or all of it. In this order the first ones do best.
   const auto guess = [&](std::size_t number) {
     const bool over = number % 2 == 0, longer = number / 2 % 2 == 0, slow = number / 4 % 2 == 1;
     Angles end = angles_of(tangents.back());
