@@ -12,6 +12,7 @@
 #include "cli/options.hpp"
 #include "cli/planar_facts.hpp"
 #include "cli/point_state.hpp"
+#include "cli/spatial_facts.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/document.hpp"
 
@@ -119,6 +120,20 @@ Rows rows_of(const PlanarFacts& facts, const AnyPath& path, const std::string& u
   return rows;
 }
 
+/// What is known of a path in space alone.
+Rows rows_of(const SpatialFacts& facts, const std::string& unit) {
+  const std::string per_unit = unit.empty() ? "" : "1/" + unit;
+  Rows rows;
+  if (facts.bending_energy) {
+    rows.emplace_back("bending energy in", with_unit(range(*facts.bending_energy), per_unit));
+  }
+  if (facts.smallest_torsion) {
+    rows.emplace_back("smallest torsion in", with_unit(range(*facts.smallest_torsion), per_unit));
+    rows.emplace_back("largest torsion in", with_unit(range(*facts.largest_torsion), per_unit));
+  }
+  return rows;
+}
+
 Rows rows_of(const PathDocument& document, const PathFacts& facts) {
   const AnyPath& path = document.path;
   const std::string& unit = document.length_unit;
@@ -138,6 +153,9 @@ Rows rows_of(const PathDocument& document, const PathFacts& facts) {
   rows.emplace_back("continuity", orders(facts.continuity));
   if (const auto planar = planar_facts_of(path)) {
     for (auto& row : rows_of(*planar, path, unit)) rows.push_back(std::move(row));
+  }
+  if (const auto spatial = spatial_facts_of(path)) {
+    for (auto& row : rows_of(*spatial, unit)) rows.push_back(std::move(row));
   }
   if (facts.holonomy) {
     rows.emplace_back("frame after one round",
@@ -189,6 +207,7 @@ void run(const InspectFlags& flags) {
   std::string out;
   Json json = json_of(document, facts);
   if (const auto planar = planar_facts_of(document.path)) json["planar"] = json_of(*planar);
+  if (const auto spatial = spatial_facts_of(document.path)) json["spatial"] = json_of(*spatial);
   append_json(out, json);
   print(out + "\n");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // hodograph sweep: a surface swept along a path, as a mesh or as exact surfaces.
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands.hpp"
@@ -17,21 +19,39 @@ namespace {
 struct SweepFlags {
   std::string document, profile, output, format, report, gamma;
   double circle = 0.0, tolerance = 0.0;
-  std::vector<double> polygon;
+  std::vector<double> polygon, along, turn, track;
   bool open_ends = false;
   SweepRequest request;
 };
 
+/// The numbers of an option as vectors of `size` each.
+template <class Vector>
+std::vector<Vector> vectors_of(const std::vector<double>& numbers, std::size_t size,
+                               const std::string& option) {
+  if (numbers.size() % size != 0) {
+    throw Error(Fault{FaultCode::mismatched_size,
+                      option + " has " + std::to_string(numbers.size()) + " numbers; it takes " +
+                          std::to_string(size) + " for each coefficient",
+                      std::nullopt, option, static_cast<double>(numbers.size()), std::nullopt});
+  }
+  std::vector<Vector> vectors(numbers.size() / size);
+  for (std::size_t i = 0; i < numbers.size(); ++i) vectors[i / size][i % size] = numbers[i];
+  return vectors;
+}
+
 void take_profile(SweepFlags& flags) {
   SweepRequest& request = flags.request;
+  request.along = vectors_of<Vector3<double>>(flags.along, 3, "--along");
+  request.turn = vectors_of<Quaternion<double>>(flags.turn, 4, "--turn");
   const int given = (request.circle ? 1 : 0) + (request.ellipse.empty() ? 0 : 1) +
                     (request.rectangle.empty() ? 0 : 1) + (request.ribbon.empty() ? 0 : 1) +
-                    (flags.polygon.empty() ? 0 : 1) + (flags.profile.empty() ? 0 : 1);
+                    (flags.polygon.empty() ? 0 : 1) + (flags.profile.empty() ? 0 : 1) +
+                    (request.is_family() ? 1 : 0) + (flags.track.empty() ? 0 : 1);
   if (given != 1) {
     throw Error(Fault{FaultCode::unsupported,
                       std::string(given == 0 ? "no profile is" : "several profiles are") +
                           " given; give one of --circle, --ellipse, --rectangle, --polygon, "
-                          "--ribbon and --profile",
+                          "--ribbon, --profile, --along with --turn, and --track",
                       std::nullopt, "profile", std::nullopt, std::nullopt});
   }
   if (flags.polygon.size() % 2 != 0) {
@@ -46,9 +66,38 @@ void take_profile(SweepFlags& flags) {
   if (!flags.profile.empty()) request.curve = load_document(flags.profile).value().path;
 }
 
+void write_track(const SweepFlags& flags, const PathDocument& document) {
+  const MadeTrack track = made_track(document.path, flags.request, flags.track[0], flags.track[1]);
+  std::string text;
+  if (std::filesystem::path(flags.output).extension() == ".csv") {
+    constexpr std::size_t per_curve = 101;
+    text = csv_of(track, per_curve);
+  } else {
+    append_json(text, json_of(track));
+    text += "\n";
+  }
+  if (const auto fault = write_file(flags.output, text)) throw Error(*fault);
+  if (flags.output == "-") return;
+  std::size_t degree = 0;
+  for (const auto& curve : track.curves) degree = std::max(degree, curve.degree());
+  ReportData report;
+  report.more = {{"Frame", track.frame},
+                 {"Track", std::to_string(track.curves.size()) +
+                               " rational Bezier curves, exact, degree " + std::to_string(degree)}};
+  print(report_text(report) + "wrote " + flags.output + "\n");
+}
+
 void run(SweepFlags flags) {
+  if (!flags.track.empty()) {
+    if (flags.output.empty()) flags.output = "track.json";
+    if (!flags.report.empty()) {
+      throw Error(Fault{FaultCode::unsupported, "a track is a curve; --report shows surfaces",
+                        std::nullopt, "report", std::nullopt, std::nullopt});
+    }
+  }
   if (flags.output.empty() && flags.report.empty()) flags.output = "sweep.stl";
-  const std::string format = flags.output.empty() ? "" : sweep_format(flags.output, flags.format);
+  const std::string format =
+      flags.output.empty() || !flags.track.empty() ? "" : sweep_format(flags.output, flags.format);
   take_profile(flags);
   SweepRequest& request = flags.request;
   request.caps = !flags.open_ends;
@@ -59,6 +108,7 @@ void run(SweepFlags flags) {
     request.found_gamma = frame.found_gamma;
   }
   const PathDocument document = load_document(flags.document).value();
+  if (!flags.track.empty()) return write_track(flags, document);
   const MadeSweep made = made_sweep(document.path, request);
   std::optional<MeasuredMesh> mesh;
   if (format != "step") mesh = measured_mesh(made, request, format);
@@ -113,6 +163,20 @@ std::unique_ptr<Command> sweep_command(CLI::App& program) {
                "a ribbon from L to the left of the path to R to its right")
       .list(2, 2);
   command->option("--profile", flags->profile, "FILE", "a path in the plane, as document");
+  command
+      ->option("--track", flags->track, "L,U",
+               "no surface: the track of the point L to the left, U up (.json: exact rational "
+               "curves; .csv: points)")
+      .list(2, 2);
+  command->group("Tubular family, instead of a profile");
+  command
+      ->option("--along", flags->along, "X,Y,Z,...",
+               "carry the path itself along the polynomial with these Bezier control points")
+      .list(3, most_numbers);
+  command
+      ->option("--turn", flags->turn, "W,X,Y,Z,...",
+               "and turn it by the quaternion polynomial with these coefficients")
+      .list(4, most_numbers);
   command->group("Sweep");
   command
       ->option("--frame", flags->request.frame, "FRAME",
@@ -150,7 +214,9 @@ std::unique_ptr<Command> sweep_command(CLI::App& program) {
       {"hodograph sweep loop.json --circle 0.05 -t 0.001 -o ring.stl",
        "hodograph loop --xi 1 --psi 2 -o - | hodograph sweep - --rectangle 0.02,0.1 -o belt.glb",
        "hodograph spline waypoints.csv -o - | hodograph sweep - --ribbon 0.1,0.1 -o road.obj",
-       "hodograph spline waypoints.csv -o - | hodograph sweep - --circle 0.1 --report tube.html"});
+       "hodograph spline waypoints.csv -o - | hodograph sweep - --circle 0.1 --report tube.html",
+       "hodograph sweep loop.json --along 0,0,0,0,0,2 --turn 1,0,0,0,0.7,0,0,0.7 -o vase.stl",
+       "hodograph sweep loop.json --track 0.1,0 -o rail.json"});
   command->note(
       "A tube that meets itself is refused with the largest radius that does not. STEP needs a\n"
       "rational frame (erf, closing, periodic) and takes surfaces up to degree 25:\n"

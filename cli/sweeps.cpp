@@ -12,6 +12,7 @@
 #include "cli/made_path.hpp"
 #include "hodograph/io/mesh_file.hpp"
 #include "hodograph/io/mesh_picture.hpp"
+#include "hodograph/io/table.hpp"
 #include "hodograph/surface/sweep_contact.hpp"
 
 namespace hodograph::cli {
@@ -129,9 +130,88 @@ TubeRadius tube_radius_of(const AnyPath& path) {
   return path.visit([](const auto& p) { return largest_tube_radius(p, tube_goal); });
 }
 
+namespace {
+
+/// A hundredth of the profile's extent, where no tolerance is given.
+double tolerance_of(const Sweep& sweep, const SweepRequest& request) {
+  constexpr double fine_enough = 0.01;
+  return request.tolerance ? *request.tolerance
+                           : fine_enough * sweep.profile.extent() * sweep.motion.largest_scale();
+}
+
+MadeSweep made_family(const AnyPath& path, const SweepRequest& request) {
+  if (request.frame != "automatic" || request.gamma || !request.found_gamma.empty()) {
+    throw Error(unsupported("a tubular family turns the path itself and takes no frame", "frame"));
+  }
+  const DynamicPolynomial<Vector3<double>> along(
+      request.along.empty() ? std::vector<Vector3<double>>{{0.0, 0.0, 0.0}} : request.along);
+  const DynamicPolynomial<Quaternion<double>> turn(
+      request.turn.empty() ? std::vector<Quaternion<double>>{{1.0, 0.0, 0.0, 0.0}} : request.turn);
+  MadeSweep made{
+      Sweep{Motion::polynomial(along, turn, DynamicPolynomial<double>(request.scale)).value(),
+            Profile::in_space(in_space(path)).value()},
+      "",
+      std::nullopt,
+      {}};
+  made.free_factor = 0.0;
+  made.tolerance = tolerance_of(made.sweep, request);
+  return made;
+}
+
+std::string frame_of(const AnyPath& path, const SweepRequest& request) {
+  if (request.frame != "automatic") return request.frame;
+  return path.is_closed() ? "closing" : "erf";
+}
+
+}  // namespace
+
+MadeTrack made_track(const AnyPath& path, const SweepRequest& request, double left, double up) {
+  const std::string frame = frame_of(path, request);
+  std::optional<double> gamma;
+  const Motion motion = motion_of(path, request, frame, gamma);
+  return {offset_track(motion, {0.0, left, up}).value(), frame};
+}
+
+Json json_of(const MadeTrack& track) {
+  Json json;
+  json["frame"] = track.frame;
+  Json& curves = json["curves"] = Json::array();
+  for (const auto& curve : track.curves) {
+    Json points = Json::array();
+    for (const auto& p : curve.control_points) points.push_back({p.x, p.y, p.z});
+    curves.push_back({{"xi", {curve.begin, curve.end}},
+                      {"degree", curve.degree()},
+                      {"control_points", points},
+                      {"weights", curve.weights}});
+  }
+  return json;
+}
+
+std::string csv_of(const MadeTrack& track, std::size_t per_curve) {
+  std::string text;
+  append_csv_header(text, std::array<std::string, 4>{"xi", "x", "y", "z"});
+  for (std::size_t k = 0; k < track.curves.size(); ++k) {
+    const auto& curve = track.curves[k];
+    std::vector<Vector3<double>> weighted;
+    for (std::size_t i = 0; i <= curve.degree(); ++i) {
+      weighted.push_back(curve.weights[i] * curve.control_points[i]);
+    }
+    const DynamicPolynomial<Vector3<double>> top(weighted);
+    const DynamicPolynomial<double> bottom(curve.weights);
+    for (std::size_t i = k == 0 ? 0 : 1; i < per_curve; ++i) {
+      const double u = static_cast<double>(i) / static_cast<double>(per_curve - 1);
+      const Vector3<double> at = (1.0 / bottom.value(u)) * top.value(u);
+      const double xi =
+          i + 1 == per_curve ? curve.end : curve.begin + u * (curve.end - curve.begin);
+      append_csv_row(text, std::array{xi, at.x, at.y, at.z});
+    }
+  }
+  return text;
+}
+
 MadeSweep made_sweep(const AnyPath& path, const SweepRequest& request) {
-  std::string frame = request.frame;
-  if (frame == "automatic") frame = path.is_closed() ? "closing" : "erf";
+  if (request.is_family()) return made_family(path, request);
+  const std::string frame = frame_of(path, request);
   std::optional<double> gamma;
   Profile profile = profile_of(request);
   Motion motion = motion_of(path, request, frame, gamma);
@@ -143,10 +223,7 @@ MadeSweep made_sweep(const AnyPath& path, const SweepRequest& request) {
     if (const auto fault = contact_fault(made.sweep, made.tube)) throw Error(*fault);
   }
   if (!made.certainly_free) made.free_factor = largest_free_factor(made.sweep, made.tube, 1.0);
-  constexpr double fine_enough = 0.01;  // of the profile's extent
-  made.tolerance = request.tolerance ? *request.tolerance
-                                     : fine_enough * made.sweep.profile.extent() *
-                                           made.sweep.motion.largest_scale();
+  made.tolerance = tolerance_of(made.sweep, request);
   return made;
 }
 
@@ -188,12 +265,14 @@ std::optional<StepAnswer> write_sweep(const MadeSweep& made, const SweepRequest&
 Json json_of(const MadeSweep& made, const MeasuredMesh& mesh) {
   const MeshFacts& facts = mesh.facts;
   Json json;
-  json["frame"] = made.frame;
-  if (made.gamma) json["gamma"] = *made.gamma;
-  json["tube"] = {{"radius", json_of(made.tube.radius)}, {"limit", name_of(made.tube.limit)}};
-  json["outer_radius"] = outer_radius(made.sweep);
-  json["certainly_free_of_contact"] = made.certainly_free;
-  if (!made.certainly_free) json["free_factor"] = made.free_factor;
+  if (!made.frame.empty()) {
+    json["frame"] = made.frame;
+    if (made.gamma) json["gamma"] = *made.gamma;
+    json["tube"] = {{"radius", json_of(made.tube.radius)}, {"limit", name_of(made.tube.limit)}};
+    json["outer_radius"] = outer_radius(made.sweep);
+    json["certainly_free_of_contact"] = made.certainly_free;
+    if (!made.certainly_free) json["free_factor"] = made.free_factor;
+  }
   json["mesh"] = {{"tolerance", made.tolerance},
                   {"deviation", mesh.made.deviation + mesh.rounding},
                   {"rings", mesh.made.rings},
@@ -227,25 +306,29 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
                                                          const std::string& unit) {
   const std::string in_unit = unit.empty() ? "" : " " + unit;
   std::vector<std::pair<std::string, std::string>> rows;
-  rows.emplace_back(
-      "Frame", made.frame + (made.gamma ? ", gamma " + to_six_digits(*made.gamma) : std::string()));
-  const double radius = made.tube.radius.lower();
-  rows.emplace_back("Free tube radius",
-                    made.tube.radius.upper() == std::numeric_limits<double>::infinity()
-                        ? "any"
-                        : to_six_digits(radius) + in_unit + ", limited by " +
-                              name_of(made.tube.limit) + ", certified");
-  rows.emplace_back(
-      "Contact with itself",
-      made.in_tube ? "none, certified: within " + to_six_digits(outer_radius(made.sweep)) +
-                         in_unit + " of the path"
-      : made.certainly_free
-          ? "none, certified by the profile's extent in each direction"
-          : "not excluded: it reaches " + to_six_digits(outer_radius(made.sweep)) + in_unit +
-                " from the path" +
-                (made.free_factor > 0.0
-                     ? "; none, certified, " + to_six_digits(made.free_factor) + " times as large"
-                     : std::string()));
+  if (made.frame.empty()) {
+    rows.emplace_back("Surface", "a tubular family; contact with itself is not looked for");
+  } else {
+    rows.emplace_back("Frame", made.frame + (made.gamma ? ", gamma " + to_six_digits(*made.gamma)
+                                                        : std::string()));
+    const double radius = made.tube.radius.lower();
+    rows.emplace_back("Free tube radius",
+                      made.tube.radius.upper() == std::numeric_limits<double>::infinity()
+                          ? "any"
+                          : to_six_digits(radius) + in_unit + ", limited by " +
+                                name_of(made.tube.limit) + ", certified");
+    rows.emplace_back(
+        "Contact with itself",
+        made.in_tube ? "none, certified: within " + to_six_digits(outer_radius(made.sweep)) +
+                           in_unit + " of the path"
+        : made.certainly_free
+            ? "none, certified by the profile's extent in each direction"
+            : "not excluded: it reaches " + to_six_digits(outer_radius(made.sweep)) + in_unit +
+                  " from the path" +
+                  (made.free_factor > 0.0
+                       ? "; none, certified, " + to_six_digits(made.free_factor) + " times as large"
+                       : std::string()));
+  }
   if (mesh == nullptr) return rows;
   const MeshFacts& facts = mesh->facts;
   rows.emplace_back("Triangles", std::to_string(facts.triangles) + ", " +

@@ -30,6 +30,12 @@ struct SweepRequest {
   std::vector<Vector2<double>> polygon{};
   std::optional<AnyPath> curve{};  ///< a planar path
 
+  /// Instead of a profile, a tubular family: the path itself, turned by the quaternion with these
+  /// Bernstein coefficients and carried along the polynomial with these, scaled by `scale`.
+  std::vector<Vector3<double>> along{};
+  std::vector<Quaternion<double>> turn{};
+  bool is_family() const { return !along.empty() || !turn.empty(); }
+
   std::string frame = "automatic";
   std::optional<double> gamma{};  ///< of a periodic frame
   std::string found_gamma{};      ///< one of found_gammas, where no γ is given; empty: least
@@ -41,9 +47,9 @@ struct SweepRequest {
 
 struct MadeSweep {
   Sweep sweep;
-  std::string frame;  ///< the one taken
+  std::string frame;  ///< the one taken; empty: a tubular family
   std::optional<double> gamma{};
-  TubeRadius tube;
+  TubeRadius tube;  ///< means nothing for a family
   bool certainly_free = false;
   bool in_tube = false;      ///< because it stays within the tube's radius
   double free_factor = 1.0;  ///< where it is not certain: the profile's, for which it would be
@@ -53,6 +59,17 @@ struct MadeSweep {
 /// The sweep, refused where it meets itself unless that is allowed. Throws Error: those of the
 /// profile, the motion, contact_fault.
 MadeSweep made_sweep(const AnyPath& path, const SweepRequest& request);
+
+/// The track of the point `left` along e₂ and `up` along e₃ of the request's frame, its profile
+/// left aside. Throws Error: those of the motion, and of frames that are not rational.
+struct MadeTrack {
+  std::vector<SpatialRationalBezier> curves;
+  std::string frame;
+};
+MadeTrack made_track(const AnyPath& path, const SweepRequest& request, double left, double up);
+Json json_of(const MadeTrack& track);
+/// xi, x, y, z of so many points of each curve, ends included.
+std::string csv_of(const MadeTrack& track, std::size_t per_curve);
 
 /// The certified largest radius of a tube round a path of any kind.
 TubeRadius tube_radius_of(const AnyPath& path);

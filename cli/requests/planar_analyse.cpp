@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Requests about planar paths: analyse, offset.
+// Requests: analyse a path; offset a planar one.
 #include "cli/offsets.hpp"
 #include "cli/planar_facts.hpp"
 #include "cli/requests/handlers.hpp"
+#include "cli/spatial_facts.hpp"
 
 namespace hodograph::cli {
 
@@ -10,10 +11,13 @@ Answer answer_analyse(Members& request) {
   const PathDocument document = request.document();
   const auto limit = request.maybe_number("curvature_limit");
   request.require_all_known();
-  const auto facts = planar_facts_of(document.path);
-  if (!facts) {
-    request.refuse("document", "this request is about paths in the plane; the path is in space");
+  if (const auto spatial = spatial_facts_of(document.path)) {
+    if (limit) {
+      request.refuse("curvature_limit", "it is decided of paths in the plane; this is in space");
+    }
+    return {json_of(*spatial), ""};
   }
+  const auto facts = planar_facts_of(document.path);
   Answer answer{json_of(*facts), ""};
   if (limit) {
     answer.result["curvature_stays_within_limit"] =

@@ -40,7 +40,26 @@ void take_profile(Members profile, SweepRequest& request) {
 Answer answer_sweep(Members& request) {
   const PathDocument document = request.document();
   SweepRequest sweep;
-  take_profile(request.object("profile"), sweep);
+  std::vector<double> track;
+  const bool family = request.has("along") || request.has("turn");
+  if (request.has("track")) track = request.numbers("track", 2);
+  if (family) {
+    if (request.has("along")) {
+      for (const auto& c : request.vectors("along", 3)) sweep.along.push_back({c[0], c[1], c[2]});
+    }
+    if (request.has("turn")) {
+      for (const auto& q : request.vectors("turn", 4)) {
+        sweep.turn.push_back({q[0], q[1], q[2], q[3]});
+      }
+    }
+    if (!sweep.is_family()) request.refuse("along", "a tubular family needs coefficients");
+  }
+  if (static_cast<int>(family) + static_cast<int>(!track.empty()) +
+          static_cast<int>(request.has("profile")) !=
+      1) {
+    request.refuse("profile", "give a profile, a tubular family (along, turn) or a track");
+  }
+  if (request.has("profile")) take_profile(request.object("profile"), sweep);
   sweep.frame =
       request.word("frame", {std::begin(sweep_frames), std::end(sweep_frames)}, sweep_frames[0]);
   sweep.gamma = request.maybe_number("gamma");
@@ -58,10 +77,15 @@ Answer answer_sweep(Members& request) {
   sweep.allow_contact = request.truth("allow_contact", false);
   const std::string file = request.text("out", "");
   request.require_all_known();
+  Answer answer;
+  if (!track.empty()) {
+    if (!file.empty()) request.refuse("out", "a track is in the result, not in a file");
+    answer.result = json_of(made_track(document.path, sweep, track[0], track[1]));
+    return answer;
+  }
   const std::string format = file.empty() ? "" : sweep_format(file, "");
   const MadeSweep made = made_sweep(document.path, sweep);
   const MeasuredMesh mesh = measured_mesh(made, sweep, format);
-  Answer answer;
   answer.result = json_of(made, mesh);
   if (!file.empty()) {
     const auto step = write_sweep(made, sweep, &mesh, document, file, format);

@@ -127,5 +127,21 @@ TEST(LoopRequest, AnswersWithTheSameLoop) {
   for (std::size_t i = 2; i < 5; ++i) EXPECT_FALSE(answers[i]["ok"].get<bool>());
 }
 
+TEST(LoopCommand, TheLoopIsInspectedForEnergyAndTorsion) {
+  const Program program;
+  ASSERT_EQ(program.run({"loop", "--xi", "1", "--psi", "2", "-o", "loop.json"}).code, 0);
+  const Outcome shown = program.run({"inspect", "loop.json"});
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  for (const char* row : {"bending energy in", "smallest torsion in", "largest torsion in"}) {
+    EXPECT_NE(shown.out.find(row), std::string::npos) << row;
+  }
+  const Outcome json = program.run({"inspect", "loop.json", "--json"});
+  EXPECT_NE(json.out.find("\"spatial\": {\"bending_energy\""), std::string::npos) << json.out;
+  write_text(program.path("requests.jsonl"),
+             "{\"request\": \"analyse\", \"file\": \"loop.json\"}\n");
+  const Outcome batch = program.run({"batch", "requests.jsonl"});
+  EXPECT_NE(batch.out.find("\"largest_torsion\""), std::string::npos) << batch.out;
+}
+
 }  // namespace
 }  // namespace hodograph::test

@@ -66,6 +66,30 @@ TEST(ProgramSweep, WritesEveryMeshFormatAndAPage) {
   EXPECT_GT(volume, pi * 0.25 * 2 - tolerance * 2 * pi * 0.5 * 2);
 }
 
+TEST(ProgramSweep, WritesTracksAndTubularFamilies) {
+  const Program program;
+  write_text(program.path("path.json"), straight);
+  const Outcome track = program.run({"sweep", "path.json", "--track", "0.5,0", "-o", "-"});
+  EXPECT_EQ(track.code, 0) << track.err;
+  EXPECT_NE(track.out.find("\"control_points\": [[0, 0.5, 0], [2, 0.5, 0]]"), std::string::npos)
+      << track.out;
+  EXPECT_EQ(program.run({"sweep", "path.json", "--track", "0.5,0", "-o", "t.csv"}).code, 0);
+  EXPECT_NE(text_of_file(program.path("t.csv")).find("\n2,2,0.5,0\n"), std::string::npos);
+  // A straight line of length 2 carried up by 3: a rectangle.
+  const Outcome family =
+      program.run({"sweep", "path.json", "--along", "0,0,0,0,0,3", "-o", "wall.obj"});
+  EXPECT_EQ(family.code, 0) << family.err;
+  EXPECT_NE(family.out.find("a tubular family"), std::string::npos);
+  EXPECT_NE(family.out.find("Area       6\n"), std::string::npos) << family.out;
+  expect_refused(program.run({"sweep", "path.json", "--along", "0,0,0,1", "-o", "x.stl"}),
+                 "it takes 3 for each coefficient");
+  expect_refused(program.run({"sweep", "path.json", "--track", "1,0", "--circle", "1"}),
+                 "several profiles");
+  expect_refused(
+      program.run({"sweep", "path.json", "--turn", "1,0,0,0", "--frame", "erf", "-o", "x.stl"}),
+      "takes no frame");
+}
+
 TEST(ProgramSweep, WritesStep) {
   const Program program;
   write_text(program.path("path.json"), straight);

@@ -26,6 +26,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Roundings of a coefficient of the preimage (some ten operations and two square roots), and of a
 /// control point, a sum of up to seven of their products.
 constexpr double preimage_roundings = 32.0, point_roundings = 128.0;
+/// The length of the loop of length 1: c0 = 4 - 3 cos ψ ≥ 1 within 4 ε, the sizes of α and β within
+/// 6 ε more in the square, their products and the mean of seven within 6 ε (5.5 ε is the most seen
+/// on 2·10⁵ members).
+constexpr double length_roundings = 16.0;
 
 std::vector<Vector3<double>> control_points(const SpatialPath<3>& path) {
   const auto& curve = path.segment(0);
@@ -158,7 +162,7 @@ TEST(ClosedLoop, HasTheControlPointsInClosedForm) {
     for (std::size_t k = 0; k < 8; ++k) {
       EXPECT_CLOSE(integrated[k], (*closed_form)[k], point_roundings, 1.0) << k;
     }
-    EXPECT_CLOSE(closed_loop(shape).value().arc_length(), 1.0, point_roundings, 1.0);
+    EXPECT_CLOSE(closed_loop(shape).value().arc_length(), 1.0, length_roundings, 1.0);
   }
 }
 
@@ -173,7 +177,7 @@ TEST(ClosedLoop, ClosesWithTwoDerivativesAndWithTorsionWhereXiVanishes) {
     const auto path = closed_loop(shape, placement);
     ASSERT_TRUE(path) << path.fault().sentence;
     EXPECT_TRUE(path->is_closed());
-    EXPECT_CLOSE(path->arc_length(), placement.length, point_roundings, placement.length);
+    EXPECT_CLOSE(path->arc_length(), placement.length, length_roundings, placement.length);
     // In a placement far from the origin and small, positions round; derivatives do not.
     const auto jumps = continuity(*path).position;
     for (std::size_t r = 0; r < 3; ++r) {
@@ -319,7 +323,7 @@ TEST(ClosedLoop, HasPlanarLimitMembersWithAStandstill) {
       EXPECT_CLOSE(path.position(t), expected, point_roundings + lost, 1.0);
     }
     EXPECT_EQ(path.speed(0.0), 0.0);
-    EXPECT_CLOSE(path.arc_length(), 1.0, point_roundings, 1.0);
+    EXPECT_CLOSE(path.arc_length(), 1.0, length_roundings, 1.0);
   }
 }
 

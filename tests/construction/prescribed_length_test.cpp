@@ -80,6 +80,26 @@ TEST(PrescribedLength, FindsTheGoldenSolutions) {
   }
 }
 
+TEST(PrescribedLength, HasNoSpecialCaseWhereTheSignRuleIsVoid) {
+  // |φs - φe| = 2 arccos(1/3): g vanishes, and with it the rule for the sign of αβ.
+  const double gap = 2.0 * std::acos(1.0 / 3.0);
+  Random random("directions 2 arccos(1/3) apart");
+  for (int i = 0; i < 400; ++i) {
+    const double off = i % 2 == 0 ? 0.0 : random.spread(-52, -8);
+    const double phi = random.uniform(-0.6, 3.1), side = random.sign();
+    const DirectedPoint begin{{0.0, 0.0}, direction_of_angle(side * phi)};
+    const DirectedPoint end{{1.0, 0.0}, direction_of_angle(side * (phi - gap + off))};
+    const double length = random.uniform(1.05, 4.0);
+    const auto solutions = prescribed_length_solutions(begin, end, length);
+    ASSERT_TRUE(solutions) << solutions.fault().sentence;
+    ASSERT_EQ(solutions->size(), 2U);
+    for (const auto& solution : *solutions) expect_conditions(solution.curve, begin, end, length);
+    const auto& first = (*solutions)[0].curve.preimage().coefficients();
+    const auto& second = (*solutions)[1].curve.preimage().coefficients();
+    EXPECT_GT(preimage_difference(first, second), 0x1.0p-20);  // two, not one twice
+  }
+}
+
 TEST(PrescribedLength, OfVehiclesThatArriveTogether) {
   const Json golden = golden_file("planar_prescribed_length.json");
   for (const Json& item : golden["arrival"].list()) {
