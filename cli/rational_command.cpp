@@ -117,23 +117,24 @@ void run(const RationalFlags& flags) {
   if (!flags.interval.empty()) interval = {flags.interval[0], flags.interval[1]};
   // All texts first: what fails leaves no file.
   std::vector<std::pair<std::string, std::string>> files;
+  std::optional<DescribedCurve> curve;
+  if (wants_interval || !flags.picture.empty()) curve = shown_curve(answer);
   if (!flags.picture.empty()) {
-    files.emplace_back(flags.picture, to_svg(rational_pictures(shown_curve(answer), interval), 2));
+    files.emplace_back(flags.picture, to_svg(rational_pictures(*curve, interval), 2));
   }
   if (!flags.nurbs.empty()) {
     std::string text;
-    append_json(text, nurbs_of(shown_curve(answer), interval->first, interval->second));
+    append_json(text, nurbs_of(*curve, interval->first, interval->second));
     files.emplace_back(flags.nurbs, text + "\n");
   }
   if (!flags.dxf.empty()) {
-    files.emplace_back(flags.dxf, dxf_of(shown_curve(answer), interval->first, interval->second));
+    files.emplace_back(flags.dxf, dxf_of(*curve, interval->first, interval->second));
   }
   if (!flags.path.empty()) {
     constexpr std::size_t longest_source = 1000;  // characters
-    const std::string r = to_text(shown_curve(answer).curve.position());
-    const MadePath made =
-        path_of(shown_curve(answer), interval->first, interval->second,
-                r.size() <= longest_source ? "r(t) = " + r : shown_curve(answer).name);
+    const std::string r = to_text(curve->curve.position());
+    const MadePath made = path_of(*curve, interval->first, interval->second,
+                                  r.size() <= longest_source ? "r(t) = " + r : curve->name);
     files.emplace_back(flags.path, to_json(made.document));
   }
   std::string text;

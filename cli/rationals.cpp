@@ -159,6 +159,20 @@ DescribedCurve described(RationalPhCurve curve, const std::string& name,
           {}};
 }
 
+/// The canonical basis, or the compact one where that is not known.
+const std::vector<VectorPolynomial>& elements_of(const RationalAnswer& answer) {
+  return answer.basis ? *answer.basis : answer.space.basis();
+}
+DescribedCurve element_described(const RationalAnswer& answer, std::size_t index,
+                                 double& root_work) {
+  const SolutionSpace& space = answer.space;
+  return described(
+      RationalPhCurve::create(space.preimage(), space.alpha(), elements_of(answer)[index]).value(),
+      "curve " + std::to_string(index + 1) + " of the " + (answer.basis ? "canonical" : "compact") +
+          " basis",
+      index, root_work);
+}
+
 /// The place of the first coefficient that is not 0, by falling degree, then x, y, z.
 std::pair<int, std::size_t> pivot_of(const VectorPolynomial& b) {
   const int d = degree(b);
@@ -405,17 +419,14 @@ RationalAnswer answer_of(const RationalProblem& problem) {
   answer.taylor = taylor_of(space);
 
   double root_work = largest_root_work;
-  const std::vector<VectorPolynomial>& elements = answer.basis ? *answer.basis : space.basis();
-  const std::string origin = answer.basis ? "canonical" : "compact";
+  const std::vector<VectorPolynomial>& elements = elements_of(answer);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (kind_of(elements[i], alpha) == CurveKind::constant) continue;
-    if (answer.curves.size() >= problem.described) {
+    if (answer.curves.size() < problem.described) {
+      answer.curves.push_back(element_described(answer, i, root_work));
+    } else {
       ++answer.curves_left_out;
-      continue;
     }
-    answer.curves.push_back(
-        described(RationalPhCurve::create(space.preimage(), alpha, elements[i]).value(),
-                  "curve " + std::to_string(i + 1) + " of the " + origin + " basis", i, root_work));
   }
   if (!problem.coefficients.empty()) {
     chosen = combination(answer);
@@ -433,18 +444,27 @@ RationalAnswer answer_of(const RationalProblem& problem) {
   return answer;
 }
 
-const DescribedCurve& shown_curve(const RationalAnswer& answer) {
+DescribedCurve shown_curve(const RationalAnswer& answer) {
   if (answer.chosen) return *answer.chosen;
-  for (const DescribedCurve& c : answer.curves) {
-    if (c.curve.kind() == CurveKind::rational) return c;
+  const std::vector<VectorPolynomial>& elements = elements_of(answer);
+  std::optional<std::size_t> shown;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const CurveKind kind = kind_of(elements[i], answer.space.alpha());
+    if (kind == CurveKind::constant || (shown && kind != CurveKind::rational)) continue;
+    shown = i;
+    if (kind == CurveKind::rational) break;
   }
-  if (answer.curves.empty()) {
+  if (!shown) {
     refuse(
         "the space holds no curve but points, and nothing can be shown of it; right would be a "
         "larger degree",
         "degree", FaultCode::outside_domain);
   }
-  return answer.curves.front();
+  for (const DescribedCurve& c : answer.curves) {
+    if (c.index == shown) return c;
+  }
+  double root_work = largest_root_work;
+  return element_described(answer, *shown, root_work);
 }
 
 }  // namespace hodograph::cli

@@ -96,7 +96,7 @@ RationalAnswer answer_of(const RationalProblem& problem);
 
 /// The curve that pictures and exports show: the chosen one, else the first that is truly rational,
 /// else the first that is no point. Throws Error (outside_domain) where there is none.
-const DescribedCurve& shown_curve(const RationalAnswer& answer);
+DescribedCurve shown_curve(const RationalAnswer& answer);
 
 /// What is told of a curve; isolating the zeros of λ may take a second.
 DescribedCurve described_curve(RationalPhCurve curve, const std::string& name);
@@ -117,9 +117,9 @@ Json json_of(const RealRoot& root);
 std::string text_of(const RationalAnswer& answer);
 Json json_of(const RationalAnswer& answer);
 std::string latex_of(const RationalAnswer& answer);
-std::string text_of(const DescribedCurve& curve);
-Json json_of(const DescribedCurve& curve);
-std::string latex_of(const DescribedCurve& curve);
+std::string text_of(const DescribedCurve& described);
+Json json_of(const DescribedCurve& described);
+std::string latex_of(const DescribedCurve& described);
 /// A whole LaTeX document of several of them, with their headings ("": none).
 std::string latex_document(const std::vector<std::pair<std::string, std::string>>& sections);
 

@@ -19,7 +19,7 @@ Answer answer_rational(Members& request) {
   Answer answer;
   answer.result = json_of(found);
   if (!interval.empty()) {
-    const DescribedCurve& curve = shown_curve(found);
+    const DescribedCurve curve = shown_curve(found);
     answer.result["bezier"] = nurbs_of(curve, interval[0], interval[1]);
     if (curve.curve.kind() == CurveKind::polynomial) {
       try {

@@ -155,7 +155,7 @@ std::string to_text(const QuaternionPolynomial& a) {
         sum += sum.empty() ? (shown_minus ? "-" : "") : (shown_minus ? " - " : " + ");
         sum += part.empty() ? "1" : part;
       }
-      put(negative, "(" + sum + ")*" + monomial);
+      put(negative, std::string("(").append(sum).append(")*").append(monomial));
     }
   }
   return text.empty() ? "0" : text;

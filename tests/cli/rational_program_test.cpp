@@ -252,6 +252,12 @@ TEST(RationalCommand, DrawsAndExports) {
     EXPECT_EQ(markup_problem(svg), "");
   }
 
+  // Whatever is described: the first truly rational curve is the one that is drawn.
+  const Outcome few = program.run({"rational", question, "--curves", "0", "--nurbs", "same.json",
+                                   "--interval", "0.5,3", "-o", "few.txt"});
+  ASSERT_EQ(few.code, 0) << few.err;
+  EXPECT_EQ(text_of_file(program.path("same.json")), text_of_file(program.path("curve.json")));
+
   // The NURBS is r = -2 B1 / t^3 at every place.
   const Json curve = Json::parse(text_of_file(program.path("curve.json")));
   double worst = 0.0;
