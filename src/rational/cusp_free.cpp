@@ -402,8 +402,9 @@ Result<DegreeSearch> smallest_cusp_free(const QuaternionPolynomial& a,
     result.proved_smallest = false;
     result.sentence =
         "no curve without cusps was found for deg B <= " + std::to_string(search.largest_degree) +
-        " and alpha = " + alpha_text(search.least_power) + " to " + alpha_text(most_power) +
-        ": of " + std::to_string(result.before.size()) + " spaces " +
+        " and alpha = " + alpha_text(search.least_power) +
+        (most_power > search.least_power ? " to " + alpha_text(most_power) : "") + ": of " +
+        std::to_string(result.before.size()) + " spaces " +
         std::to_string(
             std::count_if(result.before.begin(), result.before.end(),
                           [](const auto& s) { return s.answer.outcome == Outcome::none; })) +

@@ -142,13 +142,21 @@ std::vector<std::array<Quaternion<double>, 3>> quintics(const HermiteEnds& ends)
     const double own = (length > 0.0 ? length / h : 1.0) * share;
     const double first = ends.begin_speed ? ends.begin_speed->to_double() : own;
     const double last = ends.end_speed ? ends.end_speed->to_double() : own;
-    for (const HermiteChoice choice : {HermiteChoice::order_ten, HermiteChoice::order_six}) {
-      const auto curve =
-          hermite_curve<1, double>({Vector3<double>{}, first * in_double(ends.begin_direction)},
-                                   {chord, last * in_double(ends.end_direction)}, h, choice);
-      if (!curve) continue;
+    const HermitePoint<1> from = {Vector3<double>{}, first * in_double(ends.begin_direction)};
+    const HermitePoint<1> to = {chord, last * in_double(ends.end_direction)};
+    const auto keep = [&](const Result<SpatialPhCurve<2>>& curve) {
+      if (!curve) return;
       const auto& a = curve->preimage().coefficients();
       result.push_back({a[0], a[1], a[2]});
+    };
+    for (const HermiteChoice choice : {HermiteChoice::order_ten, HermiteChoice::order_six}) {
+      keep(hermite_curve<1, double>(from, to, h, choice));
+    }
+    // Data that are planar but for their replaced directions: curves that leave the plane.
+    for (const double theta : {0.5, -0.5, 1.0, -1.0}) {
+      HermiteParameters<1> parameters;
+      parameters.theta_middle = theta;
+      keep(hermite_curve<1, double>(from, to, h, parameters));
     }
   }
   return result;

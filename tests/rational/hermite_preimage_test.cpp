@@ -123,6 +123,18 @@ TEST(ChosenPreimage, LeadsToCuspFreeCurves) {
   }
 }
 
+TEST(ChosenPreimage, LeavesThePlaneWhereReplacedDirectionsAlmostLieInOne) {
+  // (3, 1, 1) = 2 (1, 1, 0) + (1, -1, 1), two directions of irrational length.
+  const HermiteEnds ends{{3, 1, 1},
+                         rational_direction({1, 1, 0}).value().unit,
+                         rational_direction({1, -1, 1}).value().unit};
+  expect_curve(ends, false);
+  const RationalHermiteData data{{}, ends.chord, {}, {}};
+  const DegreeSearch found =
+      smallest_cusp_free(chosen_preimage(ends).value().preimage, data, {1, 0, 0, 7, {}}).value();
+  EXPECT_TRUE(found.found) << found.sentence;
+}
+
 TEST(ChosenPreimage, MeetsHostileData) {
   const RationalVector i{1, 0, 0}, j{0, 1, 0};
   // Straight, along i and against it; planar; tangents opposite to each other and to the chord.
