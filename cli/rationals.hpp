@@ -125,7 +125,7 @@ std::string latex_document(const std::vector<std::pair<std::string, std::string>
 
 /// Three views of the curve and its speed, between its poles over the whole line, or over
 /// [begin, end]; parts near a pole leave the picture.
-std::vector<Plot> rational_pictures(const DescribedCurve& curve,
+std::vector<Plot> rational_pictures(const DescribedCurve& described,
                                     const std::optional<std::pair<double, double>>& interval);
 /// The curve over [begin, end] as rational Bézier pieces and as one NURBS curve. Throws Error.
 Json nurbs_of(const DescribedCurve& curve, double begin, double end);
