@@ -44,6 +44,41 @@ struct Car {
   }
 };
 
+/// The car with a third control s ≥ 0, by how much it may leave its tube and, in proportion, exceed
+/// its lateral acceleration: for real time, where a plan must exist wherever the car was pushed to.
+struct SoftCar {
+  using A = Complex<double>;
+  static constexpr std::size_t states = 4, controls = 3, limited = 4, limited_at_end = 0;
+  std::array<double, controls> scale{1.0, 1.0, 1.0};
+  double lateral_per_offset = 0.0;  ///< of the lateral acceleration's excess to s
+  double excess_weight = 0.0;       ///< cost of s, per unit of it
+
+  template <class S>
+  std::array<S, states> rates(const ReferenceValue<A, S>& at, const std::array<S, states>& x,
+                              const std::array<S, controls>& u) const {
+    return Car{}.rates(at, x, std::array<S, 2>{u[0], u[1]});
+  }
+  template <class S>
+  S forward(const ReferenceValue<A, S>& at, const std::array<S, states>& x) const {
+    return Car{}.forward(at, x);
+  }
+  /// ±v² k and ±η, less their excess.
+  template <class S>
+  std::array<S, limited> limits(const std::array<S, states>& x,
+                                const std::array<S, controls>& u) const {
+    const S lateral = x[3] * x[3] * u[1], more = lateral_per_offset * u[2];
+    return {lateral - more, -lateral - more, x[1] - u[2], -x[1] - u[2]};
+  }
+  template <class S>
+  S excess(const std::array<S, controls>& u) const {
+    return excess_weight * u[2];
+  }
+  template <class S>
+  std::array<S, limited_at_end> end_limits(const std::array<S, states>&) const {
+    return {};
+  }
+};
+
 /// A point in space: x = (ξ, η₂, η₃, v), u its acceleration, v and u in the axes of space.
 struct Glider {
   using A = Quaternion<double>;
@@ -127,6 +162,7 @@ struct FollowModel {
       sum += part * part;
     }
     sum = effort_weight * sum;
+    if constexpr (requires { vehicle.excess(u); }) sum += vehicle.excess(u);
     if (centre_weight > 0.0) sum += centre_weight * (x[1] * x[1]);
     return (1.0 / intervals) * sum;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 #include "follow_models.hpp"
@@ -37,6 +38,7 @@ class FollowProgram {
   using State = std::array<double, Vehicle::states>;
   using Control = std::array<double, Vehicle::controls>;
   static constexpr bool planar = A::dimension == 2;
+  static constexpr bool soft = std::is_same_v<Vehicle, SoftCar>;
 
   FollowProgram(std::shared_ptr<const Path> path, FollowedStretch stretch,
                 const FollowLimits& limits, const FollowStart& start, const FollowOptions& options)
@@ -84,18 +86,6 @@ class FollowProgram {
       program_.state_ranges(options_.intervals)[3].upper = most;
     } else {
       program_.end_ranges()[0].upper = most * most;
-    }
-  }
-
-  /// Bounds the acceleration across the way (in the plane), and leaves the end's speed free.
-  void bound_lateral(double bound) {
-    if constexpr (planar) {
-      for (std::size_t k = 0; k < options_.intervals; ++k) {
-        program_.path_ranges(k)[0] = {-bound, bound};
-      }
-      program_.state_ranges(options_.intervals)[3].upper = limits_.speed;
-    } else {
-      program_.end_ranges()[0].upper = limits_.speed * limits_.speed;
     }
   }
 
@@ -264,8 +254,17 @@ class FollowProgram {
       if (std::isfinite(limits_.lateral_acceleration)) {
         bend = std::max(bend, limits_.lateral_acceleration / (limits_.speed * limits_.speed));
       }
-      model.vehicle.scale = {std::max(limits_.acceleration, limits_.braking),
-                             bend > 0.0 ? bend : 1.0 / stretch_.length};
+      model.vehicle.scale[0] = std::max(limits_.acceleration, limits_.braking);
+      model.vehicle.scale[1] = bend > 0.0 ? bend : 1.0 / stretch_.length;
+      if constexpr (soft) {
+        // An offset beyond the limit all the way costs ten times its duration.
+        constexpr double weight = 10.0;
+        model.vehicle.scale[2] = limits_.offset;
+        model.vehicle.excess_weight = weight * options_.duration / limits_.offset;
+        if (std::isfinite(limits_.lateral_acceleration)) {
+          model.vehicle.lateral_per_offset = limits_.lateral_acceleration / limits_.offset;
+        }
+      }
     } else {
       model.vehicle.scale.fill(limits_.acceleration);
     }
@@ -281,6 +280,7 @@ class FollowProgram {
   }
 
   void set_ranges() {
+    constexpr double inside = 0.95;  // of the tube, for what is soft
     const std::size_t last = options_.intervals;
     const double braking = limits_.braking > 0.0 ? limits_.braking : limits_.acceleration;
     for (std::size_t k = 0; k <= last; ++k) {
@@ -291,7 +291,8 @@ class FollowProgram {
         state[0] = {path_->begin(), path_->end()};
       }
       if constexpr (planar) {
-        state[1] = {-limits_.offset, limits_.offset};
+        const double widest = soft ? inside * stretch_.tube : limits_.offset;
+        state[1] = {-widest, widest};
         state[2] = {-0.5 * std::numbers::pi, 0.5 * std::numbers::pi};
         state[3] = {0.0, limits_.speed};
       } else {
@@ -306,7 +307,13 @@ class FollowProgram {
         if (limits_.turn_radius > 0.0) {
           control[1] = {-1.0 / limits_.turn_radius, 1.0 / limits_.turn_radius};
         }
-        limited[0] = {-limits_.lateral_acceleration, limits_.lateral_acceleration};
+        if constexpr (soft) {
+          control[2] = {0.0, inside * stretch_.tube};
+          limited[0].upper = limited[1].upper = limits_.lateral_acceleration;
+          limited[2].upper = limited[3].upper = limits_.offset;
+        } else {
+          limited[0] = {-limits_.lateral_acceleration, limits_.lateral_acceleration};
+        }
       } else {
         for (Range& range : control) range = {-limits_.acceleration, limits_.acceleration};
         limited[0].upper = limits_.acceleration * limits_.acceleration;

@@ -25,19 +25,20 @@ struct Planner {
 /// The barrier parameter that a warm start begins with.
 constexpr double warm_barrier = 1e-4;  // not a tolerance: between that of a guess and of an answer
 
-/// What a vehicle may do across its way to come back, as a multiple of its limit.
-constexpr double emergency = 2.0;
+/// How much of the path's tube a car may use that was pushed out of its own.
+constexpr double soft_share = 0.9;
 
 double clamped(double x, double most) { return std::clamp(x, -most, most); }
 
 /// The nearest state that keeps the limits, for a solver that may start on them.
-FollowStart within(const FollowStart& measured, const FollowLimits& limits, bool planar,
-                   bool& moved) {
+FollowStart within(const FollowStart& measured, const FollowLimits& limits, double tube,
+                   bool planar, bool& moved) {
   constexpr double inside = 0.999;
   FollowStart start = measured;
   const double off = std::hypot(start.offset[0], planar ? 0.0 : start.offset[1]);
-  if (off > inside * limits.offset) {
-    for (double& offset : start.offset) offset *= inside * limits.offset / off;
+  const double widest = planar ? soft_share * tube : inside * limits.offset;
+  if (off > widest) {
+    for (double& offset : start.offset) offset *= widest / off;
   }
   constexpr double quarter = 0.5 * std::numbers::pi;
   start.heading = clamped(start.heading, inside * quarter);
@@ -65,17 +66,16 @@ class Horizon final : public Planner {
       : path_(path),
         limits_(limits),
         options_(options),
-        program_(path, stretch, limits, start, options) {
+        program_(path, stretch, limits, start, options),
+        tube_(stretch.tube) {
     program_.program().change_model().centre_weight =
         centre * options.duration / (limits.offset * limits.offset);
-    constexpr double wider = 4.0, inside = 0.95;
-    wide_ = std::max(limits.offset, std::min(wider * limits.offset, inside * stretch.tube));
   }
 
   Result<HorizonPlan> plan(const FollowStart& measured) override {
     const auto begin = Clock::now();
     HorizonPlan plan;
-    const FollowStart start = within(measured, limits_, Program::planar, plan.recovered);
+    const FollowStart start = within(measured, limits_, tube_, Program::planar, plan.recovered);
     program_.set_start(start);
     program_.end_slowly();
     if (!solver_) {
@@ -97,15 +97,7 @@ class Horizon final : public Planner {
       plan.recovered = plan.recovered || known_;
       if (auto fault = solver_->change(options_.solver)) return *fault;
       solution = solver_->solve(program_.guess());
-      if (!solution->has_value()) {  // no way within the tube from here: back to it by a wider one
-        plan.recovered = true;
-        program_.bound_offset(wide_);
-        program_.bound_lateral(emergency * limits_.lateral_acceleration);
-        solution = solver_->solve(program_.guess());
-        program_.bound_offset(limits_.offset);
-        program_.bound_lateral(limits_.lateral_acceleration);
-        if (!solution->has_value()) return solution->fault();
-      }
+      if (!solution->has_value()) return solution->fault();
     }
     answer_ = **solution;
     known_ = true;
@@ -126,7 +118,7 @@ class Horizon final : public Planner {
   std::optional<Solver> solver_;
   Solution answer_;
   bool known_ = false;
-  double wide_ = 0.0;  // an offset for what is pushed out of reach of the tube
+  double tube_;
 };
 
 Fault number_fault(const char* name, double value) {
@@ -162,6 +154,8 @@ Result<RecedingHorizon> RecedingHorizon::make(const AnyPath& path, const FollowL
   follow.intervals = options.intervals;
   follow.duration = options.step * static_cast<double>(options.intervals);
   follow.effort = options.effort;
+  follow.solver.tolerance = horizon_tolerance;
+  follow.solver.constraint_tolerance = horizon_tolerance;
   follow.solver.time_limit_s = options.time_limit_s;
   follow.solver.max_iterations = options.max_iterations;
   follow.solver.keep_unfinished = options.time_limit_s > 0.0;
@@ -179,7 +173,7 @@ Result<RecedingHorizon> RecedingHorizon::make(const AnyPath& path, const FollowL
                                            *stretch, limits, start, follow, options.centre);
     return std::nullopt;
   };
-  if (const auto fault = path.dimension() == 2 ? put(Car{}) : put(Glider{})) return *fault;
+  if (const auto fault = path.dimension() == 2 ? put(SoftCar{}) : put(Glider{})) return *fault;
   return RecedingHorizon(std::move(state));
 }
 

@@ -36,8 +36,8 @@ TEST(RecedingHorizon, StaysInTheTubeAndMovesOnThoughItIsPushed) {
     EXPECT_TRUE(plan.finished);
     EXPECT_GE(plan.latency_s, 0.0);
     for (const FollowNode& node : plan.following.nodes) {
-      EXPECT_LE(std::abs(node.offset[0]), 0.1 + default_constraint_tolerance);
-      EXPECT_LE(node.speed, 1.0 + default_constraint_tolerance);
+      EXPECT_LE(std::abs(node.offset[0]), 0.11);  // soft: by as much as it is pushed
+      EXPECT_LE(node.speed, 1.0 + horizon_tolerance);
     }
     const double before = state.xi;
     state = horizon.predicted();
@@ -61,14 +61,19 @@ TEST(RecedingHorizon, GoesOverTheEndOfAClosedPath) {
   EXPECT_GT(plan.following.nodes.back().xi, ring.xi_end());
 }
 
-TEST(RecedingHorizon, MovesAStateThatIsOutOfBoundsAndSaysSo) {
+TEST(RecedingHorizon, ComesBackFromOutsideTheTubeAndSaysWhenAStateWasMoved) {
   RecedingHorizon horizon = RecedingHorizon::make(test::ring(6), car(), {}).value();
   FollowStart state;
   state.offset[0] = 0.15;
+  state.speed = 0.5;
+  HorizonPlan plan = horizon.plan(state).value();
+  EXPECT_FALSE(plan.recovered);
+  EXPECT_EQ(plan.following.nodes.front().offset[0], 0.15);
+  EXPECT_LE(std::abs(plan.following.nodes.back().offset[0]), 0.1 + horizon_tolerance);
   state.speed = 1.2;
-  const HorizonPlan plan = horizon.plan(state).value();
+  plan = horizon.plan(state).value();
   EXPECT_TRUE(plan.recovered);
-  EXPECT_LE(plan.following.nodes.front().offset[0], 0.1);
+  EXPECT_EQ(plan.following.nodes.front().speed, 1.0);
 }
 
 TEST(RecedingHorizon, RefusesWhatIsNotPossible) {

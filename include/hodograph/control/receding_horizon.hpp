@@ -11,6 +11,10 @@
 
 namespace hodograph {
 
+/// To what a plan is solved, SolverOptions::tolerance and constraint_tolerance: the next plan comes
+/// before more digits would matter.
+inline constexpr double horizon_tolerance = 1e-5;
+
 /// How far ahead is planned, and how it is solved.
 struct HorizonOptions {
   double step = 0.1;                      ///< seconds between two plans; > 0
@@ -37,11 +41,13 @@ struct HorizonPlan {
 /// as possible within intervals · step seconds. Time is the independent variable.
 ///
 /// A horizon ends at a speed that the path's sharpest bend allows, so that the next plan exists; it
-/// should be as long as braking to that takes. Where no way stays within the offset from where the
-/// vehicle was pushed to, one within four times the offset (and inside the path's tube) and twice
-/// the lateral acceleration is taken, and `recovered` is set. A measured state out of its bounds
-/// (offset, speed, heading) is moved to the nearest that keeps them, and `recovered` is set. Not
-/// for several threads at once; what is computed is deterministic, but for the time limit.
+/// should be as long as braking to that takes. For a car the offset and the lateral acceleration
+/// are soft: each may be exceeded in proportion to the other, at a cost that nothing else
+/// outweighs, so that a plan exists wherever the car was pushed to inside the path's own tube; the
+/// largest offset planned stands in the answer. A measured state out of its bounds otherwise
+/// (speed, heading; in space also the offset) is moved to the nearest that keeps them, and
+/// `recovered` is set. Not for several threads at once; what is computed is deterministic, but for
+/// the time limit.
 class RecedingHorizon {
  public:
   /// Faults: those of follow().
