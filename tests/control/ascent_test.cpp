@@ -162,7 +162,7 @@ TEST(TrackingAscent, DoesNotArriveInTheSettingOfTheFigure) {
   options.solving.guesses = 1;
   const auto answer = tracking_ascent(test::gateway(), ascent_starts()[1], options).value();
   EXPECT_FALSE(answer.arrives);
-  EXPECT_NEAR(answer.end_error_km, 700.0, 100.0);
+  EXPECT_GT(answer.end_error_km, 600.0);  // 741 and more, by the independent computation
   EXPECT_NEAR(answer.solved.objective, 0.012463, 0.001 * 0.012463);
 }
 
