@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 #include "hodograph/control/multiple_shooting.hpp"
 #include "hodograph/control/powered_ascent.hpp"
@@ -108,6 +110,28 @@ struct PoweredModel {
     return difference;
   }
 };
+
+/// A way that the solver may start from: N + 1 states (r, v), N thrusts, and the phase of its end.
+struct PoweredGuess {
+  std::vector<std::array<double, 6>> states;
+  std::vector<Vector3<double>> thrust;
+  double phase = 0.0;
+};
+
+/// Round the Moon in the plane of the start and a point of the orbit near its lowest, the shorter
+/// way or the longer one, the height growing evenly, with the thrust that this takes.
+PoweredGuess way_round_the_moon(const PoweredModel& model, const AscentStart& start,
+                                const PoweredOptions& options, std::size_t number);
+
+/// Bad numbers among the options.
+std::optional<Fault> check(const PoweredOptions& options);
+
+/// An answer as it is told: from the N + 1 states (r, v) and the N thrusts, the duration in 1000 s,
+/// and the phase where it meets the orbit; what following it again finds is in it.
+PoweredAscent powered_answer(const PoweredModel& model, const AscentStart& start,
+                             const PoweredOptions& options, const AscentSolved& solved,
+                             const std::vector<std::array<double, 6>>& states,
+                             const std::vector<Vector3<double>>& thrust, double time, double phase);
 
 /// Follows the thrust of an answer by a Runge-Kutta pair of orders 7 and 8 in long double.
 Repropagation followed_again(const PoweredModel& model, const PoweredAscent& answer);
