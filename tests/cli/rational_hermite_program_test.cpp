@@ -97,6 +97,7 @@ TEST(RationalHermiteProgram, ProvesThatThereIsNone) {
 }
 
 TEST(RationalHermiteProgram, SaysWhatItDoesWithIrrationalDirections) {
+  constexpr double promised = 0x1p-10;  // by --direction-bits 10
   const Program program;
   const Outcome outcome = program.run({"rational-hermite", "P1 = (3, 1, 1); T0 = i + j; T1 = i",
                                        "--direction-bits", "10", "--json"});
@@ -105,7 +106,7 @@ TEST(RationalHermiteProgram, SaysWhatItDoesWithIrrationalDirections) {
   EXPECT_EQ(answer["outcome"], "found");
   EXPECT_FALSE(answer["begin_direction"]["exact"]);
   EXPECT_GT(answer["begin_direction"]["deviation"], 0.0);
-  EXPECT_LE(answer["begin_direction"]["deviation"], 0x1p-10);
+  EXPECT_LE(answer["begin_direction"]["deviation"], promised);
   EXPECT_TRUE(answer["end_direction"]["exact"]);
 }
 
