@@ -47,7 +47,7 @@ std::string file_of(const std::string& file, const std::string& problem, bool se
       .string();
 }
 
-void run(AscendFlags flags) {
+void run(const AscendFlags& flags) {
   for (const std::string& problem : flags.problems) {
     if (std::find(ascent_problems.begin(), ascent_problems.end(), problem) ==
         ascent_problems.end()) {

@@ -196,19 +196,22 @@ AscentSet solved_ascents(const AscentReference& reference, const std::string& pr
   const bool tracks = problem == "tracking" || problem == "figure";
   for (const std::string& name : starts) {
     const AscentStart start = ascent_start(name).value();
+    std::string from = problem;
+    from.append(" from ").append(name);
     AscentOptions wanted = options;
     AscentSolving& solving = tracks ? wanted.tracking.solving : wanted.powered.solving;
     if (watch) {
       solving.progress = [&](std::size_t guess, const SolverIteration& at) {
-        return watch(problem + " from " + name + ", guess " + std::to_string(guess + 1) + " of " +
-                     std::to_string(solving.guesses) + ", iteration " +
-                     std::to_string(at.iteration));
+        std::string shown = from;
+        shown.append(", guess ").append(std::to_string(guess + 1)).append(" of ");
+        shown.append(std::to_string(solving.guesses)).append(", iteration ");
+        return watch(shown.append(std::to_string(at.iteration)));
       };
     }
     const auto named = [&](auto result) {
       if (!result) {
         Fault fault = result.fault();
-        fault.sentence = problem + " from " + name + ": " + fault.sentence;
+        fault.sentence.insert(0, ": ").insert(0, from);
         throw Error(fault);
       }
       return *std::move(result);
