@@ -127,22 +127,19 @@ std::unique_ptr<Command> rational_hermite_command(CLI::App& program) {
   command->option("--nurbs", flags->nurbs, "FILE",
                   "JSON: rational Bezier pieces and one NURBS curve");
   command->option("--path", flags->path, "FILE", "a polynomial curve as a path document");
-  command->examples(
-      {"hodograph rational-hermite \"P1 = (2, 9/4, 2); T0 = i; T1 = i + 2j + 2k\"",
-       "hodograph rational-hermite \"P1 = (2, 9/4, 2); v0 = 3i; v1 = i + 2j + 2k; base = t + 1\" "
-       "--least-power 3 --most-power 8 --json",
-       "hodograph rational-hermite \"A = i + (i + 3/2 j + 1/2 k - 1)t; P1 = (2, 2, 3/2)\" \"alpha "
-       "= "
-       "(t+1)^5; degree = 12\" --svg curve.svg --nurbs curve.json"});
+  command->examples({
+      "hodograph rational-hermite \"P1 = (2, 9/4, 2); T0 = i; T1 = i + 2j + 2k\"",
+      "hodograph rational-hermite \"P1 = (2, 9/4, 2); v0 = 3i; v1 = i + 2j + 2k; base = t + 1\" "
+      "--least-power 3 --most-power 8 --json",
+      "hodograph rational-hermite \"A = i + (i + 3/2 j + 1/2 k - 1)t; P1 = (2, 2, 3/2)\" "
+      "\"alpha = (t+1)^5; degree = 12\" --svg curve.svg --nurbs curve.json",
+  });
   command->note(
-      "P0 (default: the origin) and P1 are the end points, T0 and T1 directions of tangents, or "
-      "v0\n"
-      "and v1 derivatives there; begin and end the parameters (default 0 and 1). A is chosen "
-      "unless\n"
-      "given. alpha and degree name one space of curves r = -2 B/alpha; without a degree the\n"
-      "smallest space with a curve is looked for, of all powers of base. The exit status is 3 "
-      "where\n"
-      "there is no curve; the proof is printed. See docs/rational.md.");
+      "P0 (default: the origin) and P1 are the end points, T0 and T1 directions of tangents, or\n"
+      "v0 and v1 derivatives there; begin and end the parameters (default 0 and 1). A is chosen\n"
+      "unless given. alpha and degree name one space of curves r = -2 B/alpha; without a degree\n"
+      "the smallest space with a curve is looked for, of all powers of base. The exit status is 3\n"
+      "where there is no curve; the proof is printed. See docs/rational.md.");
   command->run([flags] { run(*flags); });
 #else
   command->examples({"hodograph rational-hermite --help"});
