@@ -60,6 +60,10 @@ std::vector<ClimbWaypoint> waypoints_of(const ClimbFlags& flags) {
   if (flags.end_heading_given && !waypoints.empty()) {
     waypoints.back().heading = direction_of_angle(radians * flags.end_degrees);
   }
+  bool level = true;
+  for (const ClimbWaypoint& w : waypoints) {
+    level = level && w.position.z == waypoints.front().position.z;
+  }
   for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
     ClimbWaypoint& from = waypoints[i];
     if (from.climb_angle || from.ground_length) continue;
@@ -67,8 +71,8 @@ std::vector<ClimbWaypoint> waypoints_of(const ClimbFlags& flags) {
     if (flags.climb_given) {
       const double rise = waypoints[i + 1].position.z - from.position.z;
       const double angle = radians * flags.climb_degrees;
-      // Down where the way goes down; level where it is level.
-      from.climb_angle = rise == 0.0 ? 0.0 : rise < 0.0 && angle > 0.0 ? -angle : angle;
+      // Down where the way goes down; level where it is level, but not all along: that is refused.
+      from.climb_angle = rise == 0.0 && !level ? 0.0 : rise < 0.0 && angle > 0.0 ? -angle : angle;
     }
   }
   return waypoints;
@@ -142,8 +146,8 @@ std::unique_ptr<Command> climb_command(CLI::App& program) {
                 "metres about --datum");
   command->group("The climb");
   const Option climb = command->option("--climb-deg", flags->climb_degrees, "A",
-                                       "every span climbs (or descends) at just this angle; "
-                                       "else the angle is found");
+                                       "every span climbs (or descends) at just this angle "
+                                       "(level ones stay level); else the angle is found");
   const Option length = command->option("--ground-length", flags->ground_length, "S",
                                         "every span covers just this length over ground");
   const Option most_climb =

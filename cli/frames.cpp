@@ -10,6 +10,8 @@
 #include "cli/options.hpp"
 #include "cli/sample_plan.hpp"
 #include "cli/terminal.hpp"
+#include "hodograph/foundation/accuracy.hpp"
+#include "hodograph/frame/adapted_frame.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -98,6 +100,33 @@ std::size_t count_of(const FrameRoll& roll, RollMethod method) {
   return count;
 }
 
+/// A knot where the principal normal jumps, and by how much (radians, to π).
+struct NormalJump {
+  std::size_t knot = 0;
+  double angle = 0.0;
+};
+
+/// Where two segments meet with different principal normals: the curvature's direction need not go
+/// on, and is its opposite where the path bends to the other side.
+std::vector<NormalJump> normal_jumps(const MadeFrame& frame) {
+  std::vector<NormalJump> jumps;
+  const PreimageTable& path = frame.table;
+  const std::size_t n = path.degree, count = path.segment_count();
+  const auto normal = [&](std::size_t coefficient, double theta) {
+    const std::array<Quaternion<double>, 1> jet{path.coefficients[coefficient]};
+    return rolled(euler_rodrigues_frame(jet), theta).e2;
+  };
+  const double rounding = accuracy::join_error<double>() + 4.0 * frame.roll.error_bound();
+  for (std::size_t k = path.closed ? 0 : 1; k < count; ++k) {
+    const std::size_t before = k == 0 ? count - 1 : k - 1;
+    const Vector3<double> end = normal(before * (n + 1) + n, frame.roll.angle_at_end(before));
+    const Vector3<double> begin = normal(k * (n + 1), frame.roll.angle_at_begin(k));
+    const double angle = 2.0 * std::atan2(norm(end - begin), norm(end + begin));
+    if (angle > rounding) jumps.push_back({k, angle});
+  }
+  return jumps;
+}
+
 std::string text_of(const Enclosure& bound) {
   return bound.width() <= std::numeric_limits<float>::epsilon() * (1.0 + bound.magnitude())
              ? to_six_digits(bound.middle())
@@ -149,6 +178,10 @@ Json json_of(const MadeFrame& frame, const FrameRequest& request) {
   if (frame.roll.kind() == RollKind::frenet) {
     Json& flips = json["normal_flips"] = Json::array();
     for (const auto& flip : frame.roll.inflections()) flips.push_back(flip.xi);
+    Json& jumps = json["normal_jumps"] = Json::array();
+    for (const NormalJump& jump : normal_jumps(frame)) {
+      jumps.push_back({{"knot", jump.knot}, {"angle", jump.angle}});
+    }
   }
   Json& found = json["segments_by"] = Json::object();
   for (const RollMethod method : methods) {
@@ -182,6 +215,16 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeFrame& frame,
       flips += (i == 0 ? " " : ", ") + to_six_digits(frame.roll.inflections()[i].xi);
     }
     rows.push_back({"The normal changes sides", flips});
+  }
+  if (frame.roll.kind() == RollKind::frenet) {
+    const auto jumps = normal_jumps(frame);
+    std::string knots = std::to_string(jumps.size()) + ", at knot";
+    for (std::size_t i = 0; i < std::min(jumps.size(), most_listed); ++i) {
+      knots += (i == 0 ? " " : ", ") + std::to_string(jumps[i].knot) + " by " +
+               to_six_digits(jumps[i].angle) + " rad";
+    }
+    if (jumps.size() > most_listed) knots += ", ...";
+    if (!jumps.empty()) rows.push_back({"The normal jumps", knots});
   }
   rows.push_back(
       {"Error of the angle", "below " + to_six_digits(frame.roll.error_bound()) + " rad"});

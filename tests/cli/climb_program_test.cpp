@@ -128,6 +128,8 @@ TEST(ClimbCommand, SaysWhatWouldBeFeasible) {
                  "span 0: climb angle", 3);
   expect_refused(program.run({"climb", "--begin", "0,0,0", "--end", "10,0,8"}),
                  "needs a climb angle above 0", 3);
+  expect_refused(program.run({"climb", "--begin", "0,0,0", "--end", "10,0,0", "--climb-deg", "5"}),
+                 "its altitude changes by 0", 3);
   expect_refused(program.run({"climb", "--begin", "0,0,0"}), "--end X,Y,Z");
   expect_refused(program.run({"climb"}), "give the waypoints");
   expect_refused(program.run({"climb", "-"}, "x,y\n1,2\n3,4\n"), "three columns");

@@ -166,5 +166,19 @@ TEST(FrameRequest, AnswersInOneLine) {
   EXPECT_FALSE(Json::parse(lines[3])["ok"]);
 }
 
+TEST(FrameCommand, SaysWhereThePrincipalNormalJumps) {
+  const Program program;
+  write_text(program.path("points.csv"), "x,y,z\n0,0,0\n4,0,1\n8,4,2\n12,4,3\n");
+  ASSERT_EQ(program.run({"climb", "points.csv", "--ground-length", "6.5", "-o", "c.json"}).code, 0);
+  const Outcome frame = program.run({"frame", "c.json", "--kind", "frenet", "-o", "f.csv"});
+  EXPECT_EQ(frame.code, 0) << frame.err;
+  EXPECT_NE(frame.out.find("The normal jumps"), std::string::npos) << frame.out;
+  EXPECT_NE(frame.out.find(" rad"), std::string::npos);
+  const Outcome json = program.run({"frame", "c.json", "--kind", "frenet", "-o", "f.json"});
+  EXPECT_EQ(json.code, 0);
+  EXPECT_NE(text_of_file(program.path("f.json")).find("\"normal_jumps\": [{\"knot\": 1"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace hodograph::test
