@@ -94,6 +94,38 @@ bool same_direction(const RationalVector& a, const RationalVector& b) {
   return cross(a, b) == RationalVector{} && dot(a, b).sign() > 0;
 }
 
+/// Refuses numbers for which an answer would take hours.
+void require_small_input(const RationalHermiteProblem& problem) {
+  constexpr std::size_t most_bits = 4096;  // 1200 digits
+  RationalVector interval{problem.begin, problem.end, {}};
+  const auto require = [&](const std::optional<RationalVector>& v, const char* name) {
+    if (!v) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if ((*v)[c].bits() <= most_bits) continue;
+      refuse(std::string(name) + " has a number of " + std::to_string((*v)[c].bits()) +
+                 " bits; at most " + std::to_string(most_bits) + " are offered",
+             name, FaultCode::unsupported);
+    }
+  };
+  for (const Slot& slot : vector_slots) require(problem.*slot.vector, slot.name);
+  require(interval, "begin or end");
+  RationalProblem spaces;
+  spaces.a = problem.a.value_or(QuaternionPolynomial{1, {}, {}, {}});
+  spaces.alpha = problem.alpha;
+  if (problem.base) {
+    const auto most = static_cast<int>(largest_input_degree);
+    if (problem.base->degree() * static_cast<int>(problem.most_power) > most) {
+      refuse("alpha = base^" + std::to_string(problem.most_power) + " has degree " +
+                 std::to_string(problem.base->degree() * static_cast<int>(problem.most_power)) +
+                 "; at most " + std::to_string(most) + " is offered",
+             "most_power", FaultCode::unsupported);
+    }
+    spaces.alpha = problem.base->power(problem.most_power);
+  }
+  spaces.degree = problem.degree ? problem.degree : problem.largest_degree;
+  require_small(spaces);
+}
+
 /// A, given or chosen, and the directions and derivatives that are met.
 void take_preimage(RationalHermiteAnswer& answer) {
   const RationalHermiteProblem& problem = answer.problem;
@@ -196,6 +228,7 @@ RationalHermiteAnswer answer_of(const RationalHermiteProblem& problem) {
     refuse("alpha = base^k is offered for k up to " + std::to_string(most_powers), "most_power",
            FaultCode::unsupported);
   }
+  require_small_input(problem);
   RationalHermiteAnswer answer{problem, {}, {}};
   answer.data = {problem.begin_point.value_or(RationalVector{}),
                  *problem.end_point,

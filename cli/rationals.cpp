@@ -258,7 +258,9 @@ void require_degree(const std::string& what, int degree, std::size_t most) {
              " is offered",
          "degree", FaultCode::unsupported);
 }
-/// Refuses what would take hours, before anything is computed.
+
+}  // namespace
+
 void require_small(const RationalProblem& problem) {
   if (problem.degree) {
     require_degree("B", static_cast<int>(std::min<std::size_t>(*problem.degree, 1'000'000'000)),
@@ -279,8 +281,6 @@ void require_small(const RationalProblem& problem) {
            "A", FaultCode::unsupported);
   }
 }
-
-}  // namespace
 
 void define(RationalProblem& problem, std::string_view text) {
   auto definitions = parse_definitions(text);

@@ -98,6 +98,9 @@ RationalAnswer answer_of(const RationalProblem& problem);
 /// else the first that is no point. Throws Error (outside_domain) where there is none.
 DescribedCurve shown_curve(const RationalAnswer& answer);
 
+/// Refuses an A, alpha and degree for which an answer would take hours. Throws Error. Domain: an A.
+void require_small(const RationalProblem& problem);
+
 /// What is told of a curve; isolating the zeros of λ may take a second.
 DescribedCurve described_curve(RationalPhCurve curve, const std::string& name);
 

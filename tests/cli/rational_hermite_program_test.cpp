@@ -131,6 +131,8 @@ TEST(RationalHermiteProgram, RefusesBadInput) {
   refused({golden_a, "P1 = (1, 2, 3); v0 = -i"}, "does not have the direction");
   refused({"A = 0; P1 = (1, 2, 3)"}, "A");
   refused({"P1 = (1, 2, 3); T0 = i; T1 = j; base = t + 1", "--most-power", "1000"}, "64");
+  refused({"P1 = (1, 2, 3); T0 = i; T1 = j; base = t^2 + 2", "--most-power", "60"}, "degree 120");
+  refused({"P1 = (10^900 * 10^900, 2, 3); T0 = i; T1 = j"}, "at most 4096");
   refused({"P1 = (1, 2, 3); T0 = i; T1 = j", "--direction-bits", "99"}, "2^-60");
   refused({"P1 = (1, 2, 3); T0 = i; T1 = j", "--svg", "-"}, "standard output");
 }
