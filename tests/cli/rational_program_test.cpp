@@ -439,7 +439,10 @@ TEST(RationalCommand, RefusesOrAnswersHostileInputInTime) {
 }
 
 TEST(RationalDocument, ShowsWhatTheProgramSays) {
-  // Below every command stand lines of what it prints, in order.
+  // Below every command stand lines of what it prints, in order, however far indented.
+  const auto text_in = [](const std::string& line) {
+    return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+  };
   const Program program;
   const auto lines =
       lines_of(text_of_file(std::string(HODOGRAPH_SOURCE_DIRECTORY) + "/docs/rational.md"));
@@ -449,13 +452,14 @@ TEST(RationalDocument, ShowsWhatTheProgramSays) {
     if (line.starts_with("    $ hodograph ")) {
       const Outcome outcome = program.shell(line.substr(6));
       said = lines_of(outcome.out + outcome.err);
+      std::transform(said.begin(), said.end(), said.begin(), text_in);
       at = 0;
       ++commands;
     } else if (!line.starts_with("    ")) {
       said.clear();
     } else if (!said.empty()) {
       const auto found =
-          std::find(said.begin() + static_cast<std::ptrdiff_t>(at), said.end(), line.substr(4));
+          std::find(said.begin() + static_cast<std::ptrdiff_t>(at), said.end(), text_in(line));
       ASSERT_NE(found, said.end()) << line;
       at = static_cast<std::size_t>(found - said.begin()) + 1;
       ++shown;
