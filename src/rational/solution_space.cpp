@@ -76,8 +76,7 @@ std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
   std::vector<RationalPolynomial> result(solutions.rows());
   for (std::size_t i = 0; i < result.size(); ++i) {
     for (std::size_t j = 0; j < unknowns; ++j) {
-      fmpq_poly_set_coeff_fmpq(raw(result[i]), signed_size(unknowns - 1 - j),
-                               solutions.at(i, j));
+      fmpq_poly_set_coeff_fmpq(raw(result[i]), signed_size(unknowns - 1 - j), solutions.at(i, j));
     }
   }
   return result;
@@ -260,8 +259,8 @@ double SolutionSpace::canonical_basis_work() const {
     slong largest = 0, denominator = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const fmpq_poly_struct* p = raw(b[c]);
-      largest = std::max(largest,
-                         std::abs(_fmpz_vec_max_bits(fmpq_poly_numref(p), fmpq_poly_length(p))));
+      largest =
+          std::max(largest, std::abs(_fmpz_vec_max_bits(fmpq_poly_numref(p), fmpq_poly_length(p))));
       denominator = std::max(denominator, static_cast<slong>(fmpz_bits(fmpq_poly_denref(p))));
     }
     bits += static_cast<double>(largest + denominator);

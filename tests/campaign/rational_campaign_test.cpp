@@ -21,5 +21,5 @@ TEST(RationalCampaign, AllSystemsAgreeOnSpecialInput) {
   test::compare_systems_on_special_input(random, 1000);
 }
 
-} // namespace
-} // namespace hodograph
+}  // namespace
+}  // namespace hodograph
