@@ -144,10 +144,10 @@ std::size_t wrong_derivatives(Program& program, std::size_t first, double size) 
 }
 
 TEST(AscentDerivatives, PassTheSolversCheck) {
-  auto tracking = lander(4);
+  auto tracking = lander(2);
   EXPECT_EQ(wrong_derivatives(tracking, 0, 0.9), 0U);
   for (const bool least_time : {false, true}) {
-    auto program = powered(4, least_time);
+    auto program = powered(2, least_time);
     program.parameter_ranges()[1] = {0.48, 0.52};
     EXPECT_EQ(wrong_derivatives(program, 1, 0.4), 0U);
   }
