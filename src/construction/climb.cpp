@@ -133,9 +133,12 @@ Fault explained(Fault fault, const Task& task) {
   const double chord = direction ? task.ground_length : *fault.bound, least = chord * slope;
   const bool straight = prescribed_length_curve(task.begin, task.end, chord).has_value();
   const bool level = task.upright == no_turn;  // altitudes round, heights along an axis do not
-  constexpr double rounded = 4.0 * epsilon<double>(), little = 0x1.0p-20;
+  constexpr double rounded = 4.0 * epsilon<double>();
+  // Off the line the curve turns sharper the less room it has: at these, by some 10³ and 30 a
+  // chord.
+  constexpr double little = 0x1.0p-20, more_room = 0x1.0p-10;
   double bound = least;
-  for (const double excess : {straight ? 0.0 : little, straight ? rounded : little, 0x1.0p-10}) {
+  for (const double excess : {straight ? 0.0 : little, straight ? rounded : little, more_room}) {
     const double more = std::copysign(least * (1.0 + excess), task.rise);
     bound = std::abs(level ? (task.start.z + more) - task.start.z : more);
     if (prescribed_length_curve(task.begin, task.end, bound / slope)) break;

@@ -55,7 +55,7 @@ Fault in_terms_of_climb(Fault fault, const HeadedPoint& begin, const HeadedPoint
   const double rise = end.position.z - begin.position.z;
   const double slope = std::abs(std::tan(angle)), least = *fault.bound * slope;
   double bound = least;
-  for (const double excess : {0.0, 0x1.0p-40, 0x1.0p-30, 0x1.0p-20, 0x1.0p-10}) {
+  for (const double excess : planar_detail::tried_excesses) {
     const double more = std::copysign(least * (1.0 + excess), rise);
     const double risen = (begin.position.z + more) - begin.position.z;  // as altitudes round
     bound = std::abs(risen);

@@ -12,6 +12,10 @@
 
 namespace hodograph::planar_detail {
 
+/// What a refusal names is tried: the bound itself, or that much more of it where rounding, or a
+/// shape that takes room, is in the way of less.
+inline constexpr double tried_excesses[] = {0.0, 0x1.0p-40, 0x1.0p-30, 0x1.0p-20, 0x1.0p-10};
+
 /// Of points with a `position` and a `direction`, in the plane or in space. Faults: not_finite,
 /// outside_domain (a direction of zero), with the point's index.
 template <class Point>

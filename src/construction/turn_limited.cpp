@@ -11,6 +11,7 @@
 
 #include "arc_skeleton.hpp"
 #include "arc_spans.hpp"
+#include "end_point_faults.hpp"
 #include "hodograph/construction/least_peak_curvature.hpp"
 #include "hodograph/path/bounds.hpp"
 #include "hodograph/path/continuity.hpp"
@@ -148,7 +149,7 @@ Fault not_reached(const DirectedPoint& begin, const DirectedPoint& end, double l
   const double every = safe * unit * loiter_length(ends);
   std::vector<double> tried;
   for (const double least : {shortest, every}) {
-    for (const double excess : {0.0, 0x1.0p-40, 0x1.0p-30, 0x1.0p-20, 0x1.0p-10}) {
+    for (const double excess : planar_detail::tried_excesses) {
       if (least * (1.0 + excess) > length) tried.push_back(least * (1.0 + excess));
     }
   }

@@ -79,7 +79,7 @@ TEST(ClimbPath, SaysWhichClimbWouldDo) {
   // Found by the campaign: the shortest arcs fall short of the distance by rounding; arcs whose
   // curvature rounding decides, so that a little more descent is named.
   const HeadedPoint ahead{{0.0, 0.0, 0.0}, {1.0, 0.0}};
-  HeadedPoint beyond{{0.038155073705738625, 0.0, 1.9e-5}, {1.0, 0.0}};
+  HeadedPoint beyond{{0.038155073705738625, 0.0, 0.000019}, {1.0, 0.0}};
   HeadedPoint turned_round{{7.8940779772669103, 1.316765619356957, 8.4049939002685008},
                            {-0.96674830774661025, -0.25572975866931363}};
   HeadedPoint below{{7.8940779772669103, 1.316765619356957, 8.0942167037027932},

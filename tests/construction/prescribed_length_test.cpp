@@ -96,7 +96,8 @@ TEST(PrescribedLength, HasNoSpecialCaseWhereTheSignRuleIsVoid) {
     for (const auto& solution : *solutions) expect_conditions(solution.curve, begin, end, length);
     const auto& first = (*solutions)[0].curve.preimage().coefficients();
     const auto& second = (*solutions)[1].curve.preimage().coefficients();
-    EXPECT_GT(preimage_difference(first, second), 0x1.0p-20);  // two, not one twice
+    constexpr double far_above_rounding = 0x1.0p-20;  // two solutions, not one twice
+    EXPECT_GT(preimage_difference(first, second), far_above_rounding);
   }
 }
 

@@ -160,6 +160,7 @@ TEST(RotationMinimising, KeepsTheAccuracyThatIsEnough) {
     return pieces < fine_pieces;
   };
   int fewer = 0;
+  // Asked for: for short and for long series.
   constexpr double accuracies[] = {0x1.0p-6, 0x1.0p-20, 0x1.0p-30, 0x1.0p-36};
   for (const double accuracy : accuracies) {
     fewer += expect_within(random_path<SpatialPath<2>>(random, 3), accuracy) ? 1 : 0;

@@ -15,6 +15,7 @@
 namespace hodograph::test {
 namespace {
 
+/// The tube's radius to a thousandth, as the program has it.
 constexpr RangeGoal tube_goal{0x1.0p-10};
 
 Profile rectangle(double width, double height) {
