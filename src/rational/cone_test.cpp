@@ -168,6 +168,23 @@ std::optional<RationalVector> simple_separator(const RationalVector& n, const Ve
   return separates(n, f, chord, begin, end) ? std::optional(n) : std::nullopt;
 }
 
+/// A proof for a chord that is itself a direction F(t) of the curve, t rational: the plane that
+/// touches the cone there, if it does not enter it.
+std::optional<RationalVector> touching_plane(const VectorPolynomial& f, const RationalVector& chord,
+                                             const Rational& begin, const Rational& end) {
+  const RationalPolynomial parallel =
+      content(cross(f, VectorPolynomial{chord.x, chord.y, chord.z}));
+  if (parallel.is_constant()) return std::nullopt;
+  for (const RealRoot& root : real_roots(parallel)) {
+    if (!root.is_rational() || root.lower() < begin || end < root.lower()) continue;
+    const RationalVector n = cross(value(f, root.lower()), value(derivative(f), root.lower()));
+    for (const RationalVector& candidate : {n, -n}) {
+      if (separates(candidate, f, chord, begin, end)) return candidate;
+    }
+  }
+  return std::nullopt;
+}
+
 void say_outside(ConeTest& answer, const VectorPolynomial& f, const RationalVector& chord,
                  const Rational& begin, const Rational& end, const RationalVector& n) {
   answer.outcome = ConeTest::Outcome::outside;
@@ -197,6 +214,12 @@ ConeTest cone_test(const VectorPolynomial& indicatrix, const RationalVector& cho
   if (!combination(axes, chord)) {
     say_outside(answer, f, chord, begin, end, normal_beside(axes, chord));
     return answer;
+  }
+  if (most_rounds > 0) {
+    if (const auto n = touching_plane(f, chord, begin, end)) {
+      say_outside(answer, f, chord, begin, end, *n);
+      return answer;
+    }
   }
   long bits = 8;
   while (answer.rounds < most_rounds) {

@@ -194,6 +194,7 @@ std::vector<Rational> HermiteCurves::nearest_to_speed(const Rational& target,
                                                       std::span<const Rational> nodes) const {
   // Normal equations: Σ_t σ_j(t) (σ_0(t) + Σ_k x_k σ_k(t) - target) = 0.
   const std::size_t count = freedom();
+  if (count == 0) return {};
   std::vector<std::vector<Rational>> normal(count, std::vector<Rational>(count + 1));
   for (const Rational& t : nodes) {
     const std::vector<Rational> s = speeds(t);

@@ -129,7 +129,7 @@ std::vector<RealRoot> real_roots(const RationalPolynomial& p) {
 }
 
 std::size_t count_real_roots(const RationalPolynomial& p, const Rational& a, const Rational& b) {
-  if (p.is_constant()) return 0;
+  if (p.is_constant() || b < a) return 0;
   std::size_t count = 0;
   for (const Rational* end : {&a, &b}) {
     if (p.value(*end).is_zero() && (end == &a || a != b)) ++count;

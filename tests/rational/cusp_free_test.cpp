@@ -80,6 +80,17 @@ TEST(ConeTest, DecidesTheBoundary) {
     EXPECT_EQ(answer.outcome, ConeTest::Outcome::outside) << answer.sentence;
     EXPECT_TRUE(holds(answer, f, chord, 0, 1));
   }
+  // Every direction of a cone over a conic, or over this arc, is on its boundary.
+  const VectorPolynomial arc =
+      indicatrix({RationalPolynomial{0, 1, -2}, RationalPolynomial{1, 0, 1},
+                  RationalPolynomial{0, {2, 3}, {5, 6}}, RationalPolynomial{0, 0, {1, 2}}});
+  for (const VectorPolynomial* each : {&f, &arc}) {
+    for (const Rational& t : {Rational(1, 3), Rational(17, 101)}) {
+      const ConeTest answer = cone_test(*each, value(*each, t), 0, 1);
+      EXPECT_EQ(answer.outcome, ConeTest::Outcome::outside) << answer.sentence;
+      EXPECT_TRUE(holds(answer, *each, value(*each, t), 0, 1));
+    }
+  }
   // Planar tangents: beside their plane, on it inside and outside the angle they fill.
   const VectorPolynomial circle = indicatrix({1, {}, {}, RationalPolynomial{0, 1}});
   EXPECT_EQ(cone_test(circle, {1, 1, 1}, 0, 1).outcome, ConeTest::Outcome::outside);
