@@ -192,7 +192,10 @@ std::string pattern(const Slot& slot) {
 template <class Of>
 std::string list(const std::string& head, const std::vector<Slot>& slots, const Of& of) {
   std::string text = head + "[] = {";
-  for (std::size_t i = 0; i < slots.size(); ++i) text += (i == 0 ? "\n  " : ",\n  ") + of(slots[i]);
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    text += i == 0 ? "\n  " : ",\n  ";
+    text += of(slots[i]);
+  }
   return text + "\n};\n";
 }
 
@@ -228,8 +231,11 @@ std::string casadi_source(const std::string& name, std::size_t dimension) {
   const auto quoted = [](const Slot& slot) { return "\"" + slot.name + "\""; };
   for (const External& external : all) {
     const std::string prefix = external.name + "_";
-    text += "\nenum { " + prefix + "inputs = " + std::to_string(external.inputs.size()) + ", " +
-            prefix + "results = " + std::to_string(external.results.size()) + " };\n";
+    text += "\nenum { ";
+    text += prefix;
+    text += "inputs = " + std::to_string(external.inputs.size()) + ", ";
+    text += prefix;
+    text += "results = " + std::to_string(external.results.size()) + " };\n";
     const std::string words = "static const char *const " + prefix;
     const std::string patterns = "static const long long int *const " + prefix;
     text += list(words + "input_names", external.inputs, quoted);
