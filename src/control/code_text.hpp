@@ -39,7 +39,7 @@ static double @_choose(int n, int i) { return @_binomials[n * (n + 1) / 2 + i]; 
 
 /* The Bernstein polynomials of degree n at u. */
 static void @_weights(double u, int n, double *weights) {
-  double left[@_degree + 1], right[@_degree + 1]; /* powers of u and 1 - u */
+  double left[@_degree + 1] = {0.0}, right[@_degree + 1] = {0.0}; /* powers of u and 1 - u */
   int i, k;
   left[0] = 1.0;
   right[0] = 1.0;
@@ -87,8 +87,9 @@ static void @_jet(int segment, double u, int order, double (*jet)[@_components])
   const int n = @_preimage_degree, steps = order < n ? order : n;
   const double *terms = @_preimages + segment * ((n + 1) * @_components);
   const double v = 1.0 - u, step = @_knots[segment + 1] - @_knots[segment];
-  double weights[@_preimage_degree + 1], point[@_most + 1], difference[@_most + 1];
-  double factors[@_most + 1], factor = 1.0, scale = 1.0;
+  double weights[@_preimage_degree + 1] = {0.0}, point[@_most + 1] = {0.0};
+  double difference[@_most + 1] = {0.0}, factors[@_most + 1] = {0.0};
+  double factor = 1.0, scale = 1.0;
   int c, i, j, r;
   @_weights(u, n - steps, weights);
   for (r = 0; r < steps; ++r) factor = factor * (double)(n - r);
@@ -180,7 +181,7 @@ static int @_jet_at(double xi, int derivatives, int moving, double (*jet)[@_comp
 }
 
 int @_position(double xi, int order, double *result) {
-  double u, weights[@_degree + 1], jet[@_most + 1][@_components];
+  double u, weights[@_degree + 1] = {0.0}, jet[@_most + 1][@_components];
   int i, r, segment;
   if (order < 0 || order > 4) return @_unknown_order;
   if (!@_locate(xi, &segment, &u)) return @_outside;
@@ -199,7 +200,7 @@ int @_position(double xi, int order, double *result) {
 }
 
 int @_arc_length(double xi, int order, double *result) {
-  double u, weights[@_degree + 1], jet[@_most + 1][@_components];
+  double u, weights[@_degree + 1] = {0.0}, jet[@_most + 1][@_components];
   int r, segment;
   if (order < 0 || order > 4) return @_unknown_order;
   if (!@_locate(xi, &segment, &u)) return @_outside;
@@ -237,7 +238,7 @@ int @_body_rate(double xi, int order, double *result) {
 }
 
 int @_frame(double xi, int order, double *result) {
-  double jet[@_most + 1][@_components], rates[3 * @_rate_size], sum[@_frame_size];
+  double jet[@_most + 1][@_components], rates[3 * @_rate_size] = {0.0}, sum[@_frame_size];
   double sigma, reciprocal;
   int i, j, r, status;
   if (order < 0 || order > 3) return @_unknown_order;
