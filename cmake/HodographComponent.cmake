@@ -65,13 +65,13 @@ endfunction()
 # The warnings of our own targets; never passed on. Templates over a degree are instantiated for
 # degree 0 as well, where `i < n` is always false: GCC would warn of that with -Wtype-limits. Its
 # -Wmaybe-uninitialized is wrong about unions it has inlined (GCC 12, variants and JSON values), and
-# -Warray-bounds, -Wrestrict and -Wstringop-overread about short strings it has inlined (GCC 12,
+# -Warray-bounds, -Wrestrict and -Wstringop-over... about short strings it has inlined (GCC 12,
 # strings made by substr and +); the sanitizers look for what they mean.
 function(hodograph_warnings target)
   target_compile_options(${target} PRIVATE
     "$<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion>"
     "$<$<CXX_COMPILER_ID:GNU>:-Wno-type-limits;-Wno-maybe-uninitialized>"
-    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overread>")
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-restrict;-Wno-stringop-overread;-Wno-stringop-overflow>")
   if(HODOGRAPH_WARNINGS_AS_ERRORS)
     set_target_properties(${target} PROPERTIES COMPILE_WARNING_AS_ERROR ON)
   endif()
