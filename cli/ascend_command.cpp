@@ -73,9 +73,9 @@ void run(const AscendFlags& flags) {
   }
 
   std::vector<AscentSet> sets;
+  const InterruptGuard guard;  // the orbit comes first: a second or less
   const AscentReference reference = AscentReference::gateway().value();
   {
-    const InterruptGuard guard;
     Progress progress("ascending");
     const AscentWatch watch = [&](const std::string& line) {
       progress.show(line);
@@ -90,6 +90,13 @@ void run(const AscendFlags& flags) {
   const bool several = sets.size() > 1;
   for (const AscentSet& set : sets) {
     text += text_of(set) + "\n";
+    for (const PoweredAscent& ascent : set.powered) {
+      if (ascent.again.lowest_later_height_km < 0.0) {
+        text += ascent.start.name + " goes " + to_text(-ascent.again.lowest_later_height_km) +
+                " km below the surface between two nodes: take more --intervals or a larger "
+                "--margin-km\n";
+      }
+    }
     if (flags.report != "none") {
       write(file_of(flags.report, set.problem, several), report_html(report_of(reference, set)),
             written);

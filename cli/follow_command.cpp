@@ -54,6 +54,13 @@ std::string json_text(const Json& json) {
 }
 
 void drive(const FollowFlags& flags, const PathDocument& document, const FollowRequest& request) {
+  if (!(flags.disturbance >= 0.0 && flags.disturbance <= 1.0)) {
+    throw Error(Fault{FaultCode::outside_domain,
+                      "the disturbance is " + to_text(flags.disturbance) +
+                          "; it is a share of the limits, from 0 to 1",
+                      std::nullopt, "disturbance", flags.disturbance,
+                      flags.disturbance < 0.0 ? 0.0 : 1.0});
+  }
   HorizonOptions options;
   options.step = flags.step;
   options.intervals = flags.horizon;
@@ -186,19 +193,21 @@ std::unique_ptr<Command> follow_command(CLI::App& program) {
   Option duration = command->option("--duration", flags->duration, "T",
                                     "as far as possible in this time instead of the least time");
   command->group("How");
-  command
-      ->option("--independent", flags->independent, "VARIABLE",
-               "time (default), or xi: for a vehicle that always moves forwards")
-      .one_of({"time", "xi"});
-  command
-      ->option("--intervals", request.options.intervals, "N", "of constant control (default 200)")
-      .whole_number(2, 100000);
+  Option independent =
+      command
+          ->option("--independent", flags->independent, "VARIABLE",
+                   "time (default), or xi: for a vehicle that always moves forwards")
+          .one_of({"time", "xi"});
+  Option intervals = command
+                         ->option("--intervals", request.options.intervals, "N",
+                                  "of constant control (default 200)")
+                         .whole_number(2, 100000);
   command->option("--effort", request.options.effort, "W",
                   "what the controls cost, as a share of the time (default 0.01)");
   command->group("Receding horizon");
   Option step = command->option("--horizon-step", flags->step, "T",
                                 "plan anew every T seconds while driving, and time it");
-  step.excludes(duration);
+  step.excludes(duration).excludes(end).excludes(independent).excludes(intervals);
   command->option("--horizon", flags->horizon, "N", "steps ahead (default 30)")
       .whole_number(2, 1000)
       .needs(step);
@@ -209,8 +218,8 @@ std::unique_ptr<Command> follow_command(CLI::App& program) {
       .needs(step);
   command->group("Files");
   command->option("-o,--out", flags->output, "FILE", "everything as JSON ('-': standard output)");
-  command->option("--csv", flags->table, "FILE", "one row for every node");
-  command->option("--report", flags->report, "FILE", "an HTML report with pictures");
+  command->option("--csv", flags->table, "FILE", "one row for every node").excludes(step);
+  command->option("--report", flags->report, "FILE", "an HTML report with pictures").excludes(step);
   command->examples(
       {"hodograph follow plan.json --speed 10 --acceleration 2 --lateral-acceleration 3 "
        "--world harbour.geojson --clearance 0.5 --report follow.html",

@@ -174,8 +174,10 @@ std::unique_ptr<Command> rational_command(CLI::App& program) {
                       "them or of JSON ('-': standard input)");
   command->group("The question");
   command->flag("--examples", flags->examples, "the six examples of the paper, in its order");
-  command->option("--curves", flags->described, "N",
-                  "describe up to N curves of the basis in full (default 8)");
+  command
+      ->option("--curves", flags->described, "N",
+               "describe up to N curves of the basis in full (default 8)")
+      .whole_number(0, 1000000);
   constexpr int most_coefficients = 1000;
   command
       ->option("--coefficients", flags->coefficients, "C1,C2,...",

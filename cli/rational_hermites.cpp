@@ -223,6 +223,15 @@ void define(RationalHermiteProblem& problem, Members& members) {
 RationalHermiteAnswer answer_of(const RationalHermiteProblem& problem) {
   if (!problem.end_point) refuse("P1 is missing; right would be such as P1 = (2, 9/4, 2)", "P1");
   if (problem.alpha && problem.base) refuse("alpha and base exclude each other", "alpha");
+  if (problem.degree && problem.base) {
+    refuse("degree names one space and base many; largest_degree bounds the search", "degree");
+  }
+  if (problem.base && problem.base->is_zero()) refuse("the base of the denominator is 0", "base");
+  if (problem.least_power > problem.most_power) {
+    refuse("least_power is " + std::to_string(problem.least_power) + ", more than most_power, " +
+               std::to_string(problem.most_power),
+           "least_power");
+  }
   constexpr std::size_t most_powers = 64;
   if (problem.most_power > most_powers || problem.least_power > most_powers) {
     refuse("alpha = base^k is offered for k up to " + std::to_string(most_powers), "most_power",
@@ -254,8 +263,8 @@ RationalHermiteAnswer answer_of(const RationalHermiteProblem& problem) {
                        problem.limits};
     if (!problem.base) search.least_power = search.most_power = 1;
     const auto poles = static_cast<std::size_t>(std::max(0, search.base.degree()));
-    search.largest_degree = problem.degree.value_or(
-        problem.largest_degree.value_or(usual_largest_degree + poles * search.most_power));
+    search.largest_degree =
+        problem.largest_degree.value_or(usual_largest_degree + poles * search.most_power);
     answer.search = smallest_cusp_free(answer.a, answer.data, search).value();
     answer.sentence = answer.search->sentence;
     if (answer.search->found) {

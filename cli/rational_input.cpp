@@ -39,7 +39,10 @@ void read_rational_input(const std::vector<std::string>& words, const RationalRe
     if (word != "-" && word.find_first_of("={\n") != std::string::npos) {
       read_text(readers, word, "");
     } else {
-      read_text(readers, read_file(word, longest_rational_text).value(), input_name(word));
+      std::string text = read_file(word, longest_rational_text).value();
+      constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+      if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+      read_text(readers, text, input_name(word));
     }
   }
 }

@@ -90,7 +90,7 @@ Doubles filled_like(const Doubles& like, const Shape& tail, const Fill& fill) {
 /// The same for one number a parameter: a float for a single one.
 template <class Fill>
 py::object numbers_like(const Doubles& like, const Fill& fill) {
-  const Doubles result = filled_like(like, {}, fill);
+  Doubles result = filled_like(like, {}, fill);
   if (result.ndim() == 0) return py::float_(*result.data());
   return result;
 }

@@ -2,6 +2,7 @@
 // Faults as Python exceptions, enclosures, the version.
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "hodograph/foundation/enclosure.hpp"
 #include "hodograph/foundation/fault.hpp"
@@ -34,7 +35,7 @@ std::string text_of(const Enclosure& e) {
 void bind_foundation(py::module_& m) {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const Error& error) {
       raise_as_python(error.fault());
     }

@@ -118,14 +118,14 @@ void bind_path(py::module_& m) {
       .def_property_readonly("xi_end", &AnyPath::xi_end)
       .def_property_readonly(
           "knots",
-          [](py::object self) {
+          [](const py::object& self) {
             const auto& knots = self.cast<const AnyPath&>().knots();
             return view_of(knots.data(), {size(knots.size())}, self);
           },
           "The knots, increasing, (N + 1,). A view.")
       .def_property_readonly(
           "knot_arc_lengths",
-          [](py::object self) {
+          [](const py::object& self) {
             const auto& lengths = self.cast<const AnyPath&>().knot_arc_lengths();
             return view_of(lengths.data(), {size(lengths.size())}, self);
           },

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hodograph/control/path_following.hpp"
 
+#include <string>
+
 #include "follow_program.hpp"
 #include "follow_stretch.hpp"
 
@@ -24,13 +26,13 @@ Result<Following> followed(const AnyPath& path, const FollowedStretch& stretch,
   if (!solution) return solution.fault();
   Following result = program.following(*solution);
   // Where the way bulges out between two nodes, the nodes are kept as much further in.
-  constexpr int most_rounds = 4;
+  constexpr int most_rounds = 6;
   constexpr double enough = 1.25;
   double bound = limits.offset, seconds = result.seconds;
   std::size_t iterations = result.iterations;
   for (int round = 0; round < most_rounds && result.largest_offset > limits.offset; ++round) {
-    bound -= enough * (result.largest_offset - limits.offset);
-    if (!(bound > 0.0)) break;
+    const double nearer = bound - enough * (result.largest_offset - limits.offset);
+    bound = nearer > 0.0 ? nearer : bound * (limits.offset / result.largest_offset);
     program.bound_offset(bound);
     const auto next = solver->solve({solution->point.variables, {}, {}, {}});
     if (!next) return next.fault();
@@ -38,6 +40,16 @@ Result<Following> followed(const AnyPath& path, const FollowedStretch& stretch,
     result = program.following(*next);
     iterations += result.iterations;
     seconds += result.seconds;
+  }
+  if (result.largest_offset > limits.offset) {
+    return Fault{FaultCode::tolerance_not_reached,
+                 "between the nodes the way leaves the path by " + to_text(result.largest_offset) +
+                     ", where " + to_text(limits.offset) + " is allowed; more than " +
+                     std::to_string(options.intervals) + " intervals would follow it closer",
+                 std::nullopt,
+                 "offset",
+                 result.largest_offset,
+                 limits.offset};
   }
   result.iterations = iterations;
   result.seconds = seconds;

@@ -209,8 +209,10 @@ bool is_refused(std::string_view name) {
   constexpr std::array<std::string_view, 8> beginnings{
       "hessian_approx", "limited_memory",  "derivative_test", "jacobian_approx",
       "findiff",        "gradient_approx", "output_file",     "option_file"};
+  // A prefix up to a point names a part of the solver, such as its restoration phase.
+  const std::string_view bare = name.substr(name.rfind('.') + 1);
   return std::any_of(beginnings.begin(), beginnings.end(),
-                     [&](std::string_view beginning) { return name.starts_with(beginning); });
+                     [&](std::string_view beginning) { return bare.starts_with(beginning); });
 }
 
 /// What the solver's status means, in words.

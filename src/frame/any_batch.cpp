@@ -14,7 +14,7 @@ namespace {
 template <class T>
 std::span<T> as(std::span<double> numbers, std::size_t count, const char* name) {
   static_assert(sizeof(T) % sizeof(double) == 0 && alignof(T) == alignof(double));
-  constexpr std::size_t size = sizeof(T) / sizeof(double);
+  constexpr std::size_t one = sizeof(double), size = sizeof(T) / one;
   if (numbers.empty()) return {};
   batch_detail::require_size(numbers.size(), count * size, true, name);
   return {reinterpret_cast<T*>(numbers.data()), count};

@@ -400,6 +400,11 @@ Result<DegreeSearch> smallest_cusp_free(const QuaternionPolynomial& a,
                                               : "; smaller spaces were not all decided");
   } else {
     result.proved_smallest = false;
+    if (result.before.empty()) {
+      result.sentence = "every curve with deg B <= " + std::to_string(search.largest_degree) +
+                        " and these denominators is a point: a larger degree is needed";
+      return result;
+    }
     result.sentence =
         "no curve without cusps was found for deg B <= " + std::to_string(search.largest_degree) +
         " and alpha = " + alpha_text(search.least_power) +

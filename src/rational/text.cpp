@@ -19,6 +19,8 @@ namespace {
 /// What all operations of one text may cost together, in words of 64 bits that are multiplied;
 /// a machine does some hundred millions a second, and no more of them are ever held.
 constexpr std::uint64_t most_work = std::uint64_t{1} << 27U;
+/// Degree times bits of a power of quaternions: about a second of multiplications.
+constexpr std::size_t largest_power_work = std::size_t{1} << 22U;
 constexpr std::size_t most_definitions = 1000;
 constexpr std::size_t largest_decimal_exponent = 1000;
 
@@ -422,8 +424,8 @@ class Parser {
       if (next < text_.size() && is_digit(text_[next])) {
         std::size_t size = 0;
         for (; next < text_.size() && is_digit(text_[next]); ++next) {
-          size = std::min(10 * size + static_cast<std::size_t>(text_[next] - '0'),
-                          10 * largest_decimal_exponent);
+          constexpr std::size_t most_shown = 1'000'000'000'000;
+          size = std::min(10 * size + static_cast<std::size_t>(text_[next] - '0'), most_shown);
         }
         if (size > largest_decimal_exponent) {
           refuse_size(at_, "the exponent of ten is", size, largest_decimal_exponent);
@@ -579,6 +581,11 @@ class Parser {
     }
     if (one.bits > 1 && one.bits * n > 2 * largest_text_bits) {
       refuse_size(place, "the bits of a number become about", one.bits * n, largest_text_bits);
+    }
+    // Powers of quaternions have no short cut: their work grows with both.
+    if (!is_real(base) && (one.length - 1) * n > largest_power_work / (one.bits * n)) {
+      refuse_size(place, "degree times bits of the power becomes",
+                  (one.length - 1) * n * one.bits * n, largest_power_work);
     }
     QuaternionFunction result = real(1);
     for (; n > 0; n >>= 1U) {

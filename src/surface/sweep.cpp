@@ -166,20 +166,19 @@ SweepFold fold_of(const Sweep& sweep) {
       const double speed = norm(state.velocity);
       const double slack = (bounds.frame_rounding + bounds.rounding / speed) *
                            (speed + state.scale * norm(state.body_rate) * sweep.profile.reach());
+      const auto folds = [&](const Vector3<double>& p) {
+        return speed + state.scale * (state.body_rate.y * p.z - state.body_rate.z * p.y) < -slack;
+      };
+      // On a circle the most inward point is in the direction of the normal.
+      const double across = std::hypot(state.body_rate.y, state.body_rate.z);
+      bool certain = sweep.profile.circle_radius() && across > 0.0 &&
+                     folds((*sweep.profile.circle_radius() / across) *
+                           Vector3<double>{0.0, state.body_rate.z, -state.body_rate.y});
       for (const ProfileInterval& interval : sweep.profile.intervals()) {
-        // On a circle the most inward point is in the direction of the normal.
-        const double across = std::hypot(state.body_rate.y, state.body_rate.z);
-        const Vector3<double> p =
-            sweep.profile.circle_radius() && across > 0.0
-                ? (*sweep.profile.circle_radius() / across) *
-                      Vector3<double>{0.0, state.body_rate.z, -state.body_rate.y}
-                : sweep.profile.at(interval.piece, interval.begin).position;
-        const double advance =
-            speed + state.scale * (state.body_rate.y * p.z - state.body_rate.z * p.y);
-        if (advance < -slack) {
-          return {SweepFold::Kind::certain, piece.begin + v * (piece.end - piece.begin)};
-        }
+        certain = certain || folds(sweep.profile.at(interval.piece, interval.begin).position) ||
+                  folds(sweep.profile.at(interval.piece, interval.end).position);
       }
+      if (certain) return {SweepFold::Kind::certain, piece.begin + v * (piece.end - piece.begin)};
       if (part.depth == deepest || parts > most_parts) {
         open_question = piece.begin + v * (piece.end - piece.begin);
         continue;

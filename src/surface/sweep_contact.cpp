@@ -61,6 +61,9 @@ Box cross(const Box& a, const Box& b) {
 /// A stretch of a piece: its exact products, and what is derived from them.
 struct Stretch {
   ExactPiece exact;
+  /// The path is start + displacement. Apart: far from the origin a sum would round its
+  /// derivatives.
+  Vector3<double> start{};
   DynamicPolynomial<Vector3<double>> displacement;
   double begin = 0.0, end = 1.0;  ///< in ξ
   int depth = 0;
@@ -111,8 +114,8 @@ class Search {
     for (const MotionPiece& piece : sweep.motion.pieces()) {
       auto whole = std::make_unique<Stretch>();
       whole->exact = exact_piece(piece);
-      whole->displacement =
-          piece.displacement.mapped([&](const Vector3<double>& d) { return piece.start + d; });
+      whole->start = piece.start;
+      whole->displacement = piece.displacement;
       whole->begin = piece.begin;
       whole->end = piece.end;
       roots_.push_back(std::move(whole));
@@ -195,6 +198,7 @@ class Search {
       const auto cut = [&](const auto& f) { return f.restricted(from, to); };
       part->exact = {
           cut(s.exact.weight), cut(s.exact.center), {}, cut(s.exact.e2), cut(s.exact.e3)};
+      part->start = s.start;
       part->displacement = cut(s.displacement);
       const double half = 0.5 * (s.begin + s.end);
       part->begin = i == 0 ? s.begin : half;
@@ -228,12 +232,12 @@ class Search {
       }
     }
     const auto velocity = s.displacement.derivative();
-    for (const auto& c : s.displacement.coefficients()) s.path.add(c);
+    for (const auto& c : s.displacement.coefficients()) s.path.add(s.start + c);
     for (const auto& c : velocity.coefficients()) s.velocity.add(c);
     const auto acceleration = velocity.derivative();
     for (const auto& c : acceleration.coefficients()) s.acceleration.add(c);
     constexpr double half = 0.5;
-    s.middle = s.displacement.value(half);
+    s.middle = s.start + s.displacement.value(half);
     s.tangent = velocity.value(half);
     return true;
   }
@@ -309,7 +313,7 @@ SweepContact contact_of(const Sweep& sweep, double factor) {
 double largest_free_factor(const Sweep& sweep, const TubeRadius& tube, double most) {
   if (tube.limit == TubeLimit::corner || tube.limit == TubeLimit::standstill) return 0.0;
   constexpr int halvings = 10;
-  double low = std::min(most, tube.radius.lower() / outer_radius(sweep)), high = low;
+  double low = std::min(most, tube.radius.lower() / outer_radius(sweep)), high = most;
   if (low == most || contact_of(sweep, most).free) return most;
   // Doubled until it is not certified, then bisected.
   for (;;) {

@@ -397,7 +397,7 @@ TEST(ShortestPolyline, MovesOneTipAlone) {
 TEST(ShortestPolyline, ReplacesOffsetsAsIfTheWorldHadThem) {
   test::Random random("replaced offsets");
   int paths = 0;
-  for (int round = 0; round < test::cases(60) && !HasFailure(); ++round) {
+  for (int round = 0; round < 60 && !HasFailure(); ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     const World world = test::random_world(random, 60.0, 5);
     const auto pick = [&] { return random.chance(0.3) ? 0.0 : random.uniform(0.1, 6.0); };
@@ -499,7 +499,7 @@ class LegGraph {
 TEST(ShortestPolyline, KeepsProhibitions) {
   test::Random random("prohibitions");
   int other_ways = 0, none = 0;
-  for (int round = 0; round < test::cases(60) && !HasFailure(); ++round) {
+  for (int round = 0; round < 60 && !HasFailure(); ++round) {
     SCOPED_TRACE("round " + std::to_string(round));
     std::vector<Polygon> obstacles;
     while (obstacles.size() < 4) {
