@@ -24,8 +24,8 @@ namespace hodograph {
 inline constexpr std::size_t largest_input_degree = 64;
 inline constexpr std::size_t largest_solution_degree = 512;
 
-/// The largest canonical_basis_work() that the program takes on: coefficients of 64 bits, deg A = 4,
-/// deg B = 60 need a tenth of it.
+/// The largest canonical_basis_work() that the program takes on: coefficients of 64 bits, deg A =
+/// 4, deg B = 60 need a tenth of it.
 inline constexpr double largest_canonical_basis_work = 0x1p35;
 
 /// What kind of curve -2 B / α is.
@@ -72,8 +72,8 @@ class SolutionSpace {
   /// The canonical basis: the reduced row echelon form in the order b_d.x, b_d.y, b_d.z,
   /// b_{d-1}.x, ..., b_0.z of the coefficients. Two spaces are equal exactly when these are.
   std::vector<VectorPolynomial> canonical_basis() const;
-  /// About what that costs: (dim V_d)² · 3 (d + 1) · the bits that the numbers may reach, the sum of
-  /// those of the rows. A processor does some 2^34 to 2^36 of it in a second.
+  /// About what that costs: (dim V_d)² · 3 (d + 1) · the bits that the numbers may reach, the sum
+  /// of those of the rows. A processor does some 2^34 to 2^36 of it in a second.
   double canonical_basis_work() const;
 
  private:
