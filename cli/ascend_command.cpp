@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph ascend: from the Moon's surface to the Lunar Gateway's orbit.
 #include "cli/commands.hpp"
+#include "cli/left_out.hpp"
 #include "hodograph/foundation/fault.hpp"
 
 #ifdef HODOGRAPH_HAS_CONTROL
@@ -186,15 +187,7 @@ std::unique_ptr<Command> ascend_command(CLI::App& program) {
 #else
 
 std::unique_ptr<Command> ascend_command(CLI::App& program) {
-  auto command = std::make_unique<Command>(program, "ascend",
-                                           "Not in this program: it was built without Ipopt.");
-  command->run([] {
-    throw Error(Fault{FaultCode::unsupported,
-                      "this program was built without Ipopt (the component control): it cannot "
-                      "ascend",
-                      std::nullopt, "command", std::nullopt, std::nullopt});
-  });
-  return command;
+  return command_left_out(program, "ascend", "Ipopt");
 }
 
 #endif

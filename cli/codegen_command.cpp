@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph codegen: one path as C99 source text.
 #include "cli/commands.hpp"
+#include "cli/left_out.hpp"
 #include "hodograph/foundation/result.hpp"
 
 #ifdef HODOGRAPH_HAS_CONTROL
@@ -68,14 +69,7 @@ std::unique_ptr<Command> codegen_command(CLI::App& program) {
 #else
 
 std::unique_ptr<Command> codegen_command(CLI::App& program) {
-  auto command = std::make_unique<Command>(program, "codegen",
-                                           "Not in this program: it was built without Ipopt.");
-  command->run([] {
-    throw Error(Fault{FaultCode::unsupported,
-                      "this program was built without the component control: it cannot write code",
-                      std::nullopt, "command", std::nullopt, std::nullopt});
-  });
-  return command;
+  return command_left_out(program, "codegen", "Ipopt");
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph follow: a path as fast as a vehicle can, within a tube round it.
 #include "cli/commands.hpp"
+#include "cli/left_out.hpp"
 #include "hodograph/foundation/result.hpp"
 
 #ifdef HODOGRAPH_HAS_CONTROL
@@ -245,15 +246,7 @@ std::unique_ptr<Command> follow_command(CLI::App& program) {
 #else
 
 std::unique_ptr<Command> follow_command(CLI::App& program) {
-  auto command = std::make_unique<Command>(program, "follow",
-                                           "Not in this program: it was built without Ipopt.");
-  command->run([] {
-    throw Error(Fault{FaultCode::unsupported,
-                      "this program was built without Ipopt (the component control): it cannot "
-                      "follow",
-                      std::nullopt, "command", std::nullopt, std::nullopt});
-  });
-  return command;
+  return command_left_out(program, "follow", "Ipopt");
 }
 
 #endif

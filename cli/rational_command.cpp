@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph rational: all rational PH curves with a given indicatrix, denominator and degree.
 #include "cli/commands.hpp"
+#include "cli/left_out.hpp"
 
 #ifdef HODOGRAPH_HAS_RATIONAL
 #include <algorithm>
@@ -162,12 +163,10 @@ void run(const RationalFlags& flags) {
 }
 
 }  // namespace
-#endif
 
 std::unique_ptr<Command> rational_command(CLI::App& program) {
   auto command = std::make_unique<Command>(
       program, "rational", "Rational PH curves, exactly: all that share an indicatrix A i A*.");
-#ifdef HODOGRAPH_HAS_RATIONAL
   auto flags = std::make_shared<RationalFlags>();
   command->positional("input", flags->input, "[TEXT or FILE]...",
                       "definitions such as \"A = t^2 - (i+j)*t + k\" and \"alpha = t^3\", files of "
@@ -208,15 +207,15 @@ std::unique_ptr<Command> rational_command(CLI::App& program) {
       "distance function of its osculating planes. Numbers are exact: 3/4, 0.25. See\n"
       "docs/rational.md.");
   command->run([flags] { run(*flags); });
-#else
-  command->examples({"hodograph rational --help"});
-  command->run([] {
-    throw Error(Fault{FaultCode::unsupported,
-                      "this program was built without rational curves (FLINT was missing)",
-                      std::nullopt, "rational", std::nullopt, std::nullopt});
-  });
-#endif
   return command;
 }
+
+#else
+
+std::unique_ptr<Command> rational_command(CLI::App& program) {
+  return command_left_out(program, "rational", "FLINT");
+}
+
+#endif
 
 }  // namespace hodograph::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // hodograph rational-hermite: a curve without cusps between two points with given tangents.
 #include "cli/commands.hpp"
+#include "cli/left_out.hpp"
 
 #ifdef HODOGRAPH_HAS_RATIONAL
 #include <algorithm>
@@ -98,14 +99,12 @@ void run(const RationalHermiteFlags& flags) {
 }
 
 }  // namespace
-#endif
 
 std::unique_ptr<Command> rational_hermite_command(CLI::App& program) {
   auto command = std::make_unique<Command>(
       program, "rational-hermite",
       "A rational PH curve without cusps between two points with given tangents, or a proof that "
       "there is none.");
-#ifdef HODOGRAPH_HAS_RATIONAL
   auto flags = std::make_shared<RationalHermiteFlags>();
   command->positional(
       "input", flags->input, "[TEXT or FILE]...",
@@ -141,15 +140,15 @@ std::unique_ptr<Command> rational_hermite_command(CLI::App& program) {
       "the smallest space with a curve is looked for, of all powers of base. The exit status is 3\n"
       "where there is no curve; the proof is printed. See docs/rational.md.");
   command->run([flags] { run(*flags); });
-#else
-  command->examples({"hodograph rational-hermite --help"});
-  command->run([] {
-    throw Error(Fault{FaultCode::unsupported,
-                      "this program was built without rational curves (FLINT or Clp was missing)",
-                      std::nullopt, "rational-hermite", std::nullopt, std::nullopt});
-  });
-#endif
   return command;
 }
+
+#else
+
+std::unique_ptr<Command> rational_hermite_command(CLI::App& program) {
+  return command_left_out(program, "rational-hermite", "FLINT or Clp");
+}
+
+#endif
 
 }  // namespace hodograph::cli

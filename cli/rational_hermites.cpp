@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/rational_hermites.hpp"
+#include "cli/rational_input.hpp"
 
 #include <algorithm>
 #include <array>
@@ -51,18 +52,6 @@ Result<Rational> number_of(const QuaternionFunction& value, const std::string& n
                  name + " depends on t; right would be a number, such as 3/2"};
   }
   return p->coefficient(0);
-}
-
-template <class T>
-T taken(Result<T> value, std::string_view text, std::size_t index) {
-  if (value) return *std::move(value);
-  Fault fault = value.fault();
-  const TextPlace place = place_in(text, index);
-  fault.sentence = "line " + std::to_string(place.line) + ", column " +
-                   std::to_string(place.column) + ": " + fault.sentence;
-  fault.index = index;
-  fault.quantity = "text";
-  throw Error(fault);
 }
 
 /// A number of a request: any JSON number, which is taken for exactly the double or the whole

@@ -34,6 +34,15 @@ void read_text(const RationalReaders& readers, const std::string& text, const st
 
 }  // namespace
 
+Fault placed(Fault fault, std::string_view text, std::size_t index) {
+  const TextPlace place = place_in(text, index);
+  fault.sentence = "line " + std::to_string(place.line) + ", column " +
+                   std::to_string(place.column) + ": " + fault.sentence;
+  fault.index = index;
+  fault.quantity = "text";
+  return fault;
+}
+
 void read_rational_input(const std::vector<std::string>& words, const RationalReaders& readers) {
   for (const std::string& word : words) {
     if (word != "-" && word.find_first_of("={\n") != std::string::npos) {

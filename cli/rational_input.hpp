@@ -3,12 +3,15 @@
 // objects, and files of either.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/requests/members.hpp"
+#include "hodograph/foundation/result.hpp"
 
 namespace hodograph::cli {
 
@@ -18,6 +21,16 @@ struct RationalReaders {
   std::function<void(std::string_view)> text;
   std::function<void(Members&)> members;
 };
+
+/// The fault with the place of a byte of the text in its sentence.
+Fault placed(Fault fault, std::string_view text, std::size_t index);
+
+/// The value, or Error with its fault and the place in the text.
+template <class T>
+T taken(Result<T> value, std::string_view text, std::size_t index) {
+  if (!value) throw Error(placed(value.fault(), text, index));
+  return *std::move(value);
+}
 
 /// Hands every word to the reader it is for: a definition, a JSON object, or the name of a file.
 /// Where a text cannot be read, its place is remembered for the terminal. Throws Error.

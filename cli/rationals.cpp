@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/rationals.hpp"
+#include "cli/rational_input.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -20,19 +21,6 @@ constexpr double largest_input_size = 0x1p14;
 [[noreturn]] void refuse(const std::string& sentence, const char* quantity,
                          FaultCode code = FaultCode::malformed_document) {
   throw Error(Fault{code, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
-}
-
-/// The value, or its fault with the place in the text.
-template <class T>
-T taken(Result<T> value, std::string_view text, std::size_t index) {
-  if (value) return *std::move(value);
-  Fault fault = value.fault();
-  const TextPlace place = place_in(text, index);
-  fault.sentence = "line " + std::to_string(place.line) + ", column " +
-                   std::to_string(place.column) + ": " + fault.sentence;
-  fault.index = index;
-  fault.quantity = "text";
-  throw Error(fault);
 }
 
 /// A list of coefficients, "p/q", "0.5" or whole numbers, the constant one first.
