@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/left_out.hpp"
 
+#include "hodograph/foundation/result.hpp"
+
 namespace hodograph::cli {
 
 std::unique_ptr<Command> command_left_out(CLI::App& program, const std::string& name,

@@ -13,10 +13,21 @@ except ImportError as error:  # pragma: no cover - tested in an interpreter with
         "hodograph needs NumPy, which this Python lacks; install it (python3-numpy in Debian)"
     ) from error
 
+from . import _optional
 from ._core import *  # noqa: F401,F403
 from ._core import __version__
 from .errors import HodographError
 from .fitting import Fit, fit
 from .states import PathState, evaluate
 
-__all__ = [name for name in dir() if not name.startswith("_")] + ["__version__"]
+_MODULES = {"errors", "fitting", "states"}  # whose names are the package's own
+__all__ = sorted({name for name in dir() if not name.startswith("_")} - _MODULES
+                 | set(_optional.NAMES) | {"__version__"})
+
+
+def __getattr__(name: str):
+    return _optional.load(name)
+
+
+def __dir__():
+    return __all__
