@@ -87,12 +87,28 @@ Doubles filled_like(const Doubles& like, const Shape& tail, const Fill& fill) {
   return result;
 }
 
+/// Doubles in any order in memory, for results that are views of others.
+using Strided = py::array_t<double>;
+
+/// A result whose type in signatures is `float | numpy.ndarray`: one number for one parameter, an
+/// array for many. (Results that are py::object have no type in Python; use this.)
+class FloatOrArray : public py::object {
+ public:
+  FloatOrArray(const Doubles& array)
+      : py::object(array.ndim() == 0 ? py::object(py::float_(*array.data())) : py::object(array)) {}
+  FloatOrArray(double number) : py::object(py::float_(number)) {}
+};
+
+/// The same where one parameter may yield an array, too (angular velocities: a number in the plane,
+/// a vector in space).
+class ArrayOrFloat : public FloatOrArray {
+  using FloatOrArray::FloatOrArray;
+};
+
 /// The same for one number a parameter: a float for a single one.
 template <class Fill>
-py::object numbers_like(const Doubles& like, const Fill& fill) {
-  Doubles result = filled_like(like, {}, fill);
-  if (result.ndim() == 0) return py::float_(*result.data());
-  return result;
+FloatOrArray numbers_like(const Doubles& like, const Fill& fill) {
+  return filled_like(like, {}, fill);
 }
 
 /// A view of numbers that live as long as `owner`, which cannot be written through.
@@ -106,3 +122,12 @@ auto unlocked(const Make& make) {
 }
 
 }  // namespace hodograph::python
+
+template <>
+struct pybind11::detail::handle_type_name<hodograph::python::FloatOrArray> {
+  static constexpr auto name = const_name("float | numpy.ndarray[numpy.float64]");
+};
+template <>
+struct pybind11::detail::handle_type_name<hodograph::python::ArrayOrFloat> {
+  static constexpr auto name = const_name("numpy.ndarray[numpy.float64] | float");
+};

@@ -98,7 +98,7 @@ Doubles tangents(const AnyPath& path, const Doubles& xi) {
   });
 }
 
-py::object curvatures(const AnyPath& path, const Doubles& xi) {
+FloatOrArray curvatures(const AnyPath& path, const Doubles& xi) {
   return numbers_like(xi, [&](auto from, auto to) {
     for_any_jets(path, from, [&](const auto& jet, std::size_t i) {
       require_motion(jet, from[i], i, "curvature");
@@ -107,7 +107,7 @@ py::object curvatures(const AnyPath& path, const Doubles& xi) {
   });
 }
 
-py::object torsions(const AnyPath& path, const Doubles& xi) {
+FloatOrArray torsions(const AnyPath& path, const Doubles& xi) {
   return numbers_like(xi, [&](auto from, auto to) {
     for_jets<Quaternion<double>>(path, from, [&](const auto& jet, std::size_t i) {
       require_motion(jet, from[i], i, "torsion");
@@ -123,7 +123,7 @@ py::object torsions(const AnyPath& path, const Doubles& xi) {
   });
 }
 
-py::object frames(const AnyPath& path, const Doubles& xi) {
+Strided frames(const AnyPath& path, const Doubles& xi) {
   const auto d = size(path.dimension());
   const Doubles axes =
       filled_like(xi, {d, d}, [&](auto from, auto to) { evaluate(path, from, {.frames = to}); });
@@ -132,7 +132,7 @@ py::object frames(const AnyPath& path, const Doubles& xi) {
 
 /// rate(jet)[0] at every parameter: one number in the plane, a vector in space.
 template <class Rate>
-py::object rates(const AnyPath& path, const Doubles& xi, const Rate& rate) {
+ArrayOrFloat rates(const AnyPath& path, const Doubles& xi, const Rate& rate) {
   const auto fill = [&](auto from, auto to) {
     for_any_jets(path, from, [&](const auto& jet, std::size_t i) {
       require_motion(jet, from[i], i, "frame");
@@ -140,8 +140,7 @@ py::object rates(const AnyPath& path, const Doubles& xi, const Rate& rate) {
       write(to, i, rate(first)[0]);
     });
   };
-  if (path.dimension() == 2) return numbers_like(xi, fill);
-  return filled_like(xi, {3}, fill);
+  return filled_like(xi, path.dimension() == 2 ? Shape{} : Shape{3}, fill);
 }
 
 }  // namespace

@@ -65,13 +65,13 @@ std::string text_of(const AnyPath& path) {
 
 Shape of_dimension(const AnyPath& path) { return {size(path.dimension())}; }
 
-py::object arc_length(const AnyPath& path, const std::optional<Doubles>& xi) {
-  if (!xi) return py::float_(path.arc_length());
+FloatOrArray arc_length(const AnyPath& path, const std::optional<Doubles>& xi) {
+  if (!xi) return path.arc_length();
   return numbers_like(*xi, [&](auto from, auto to) { evaluate(path, from, {.arc_lengths = to}); });
 }
 
 /// Frames as matrices whose columns are the axes.
-py::object matrices(const Doubles& axes) { return axes.attr("swapaxes")(-1, -2); }
+Strided matrices(const Doubles& axes) { return axes.attr("swapaxes")(-1, -2); }
 
 py::tuple state(const AnyPath& path, const Doubles& xi) {
   const auto d = size(path.dimension());

@@ -9,21 +9,20 @@ namespace hodograph::python {
 
 namespace {
 
-AnyPath turned(const AnyPath& path, const py::object& rotation, const py::object& translation) {
+AnyPath turned(const AnyPath& path, const std::optional<Doubles>& rotation,
+               const std::optional<Doubles>& translation) {
   const bool planar = path.dimension() == 2;
   if (planar) {
-    const double angle = rotation.is_none() ? 0.0 : rotation.cast<double>();
-    const auto shift = translation.is_none()
-                           ? Vector2<double>{}
-                           : point_of<Vector2<double>>(translation.cast<Doubles>(), "translation");
+    if (rotation && rotation->ndim() != 0) refuse_shape("rotation", "()", *rotation);
+    const double angle = rotation ? *rotation->data() : 0.0;
+    const auto shift =
+        translation ? point_of<Vector2<double>>(*translation, "translation") : Vector2<double>{};
     return moved(path, angle, shift).value();
   }
-  const auto q = rotation.is_none()
-                     ? Quaternion<double>{1, 0, 0, 0}
-                     : point_of<Quaternion<double>>(rotation.cast<Doubles>(), "rotation");
-  const auto shift = translation.is_none()
-                         ? Vector3<double>{}
-                         : point_of<Vector3<double>>(translation.cast<Doubles>(), "translation");
+  const auto q = rotation ? point_of<Quaternion<double>>(*rotation, "rotation")
+                          : Quaternion<double>{1, 0, 0, 0};
+  const auto shift =
+      translation ? point_of<Vector3<double>>(*translation, "translation") : Vector3<double>{};
   return moved(path, q, shift).value();
 }
 
