@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Enclosure, FitKnots, HermiteChoice, Path
@@ -25,7 +25,7 @@ class Fit:
     error: Enclosure  #: of the whole path; an estimate from samples unless ``certified``
     certified: bool
     at_xi: float  #: where the error is about largest
-    segment_errors: numpy.ndarray  #: the upper end for every segment
+    segment_errors: NDArray[numpy.float64]  #: the upper end for every segment
 
 
 def _refuse(sentence: str, quantity: str) -> HodographError:
@@ -36,7 +36,7 @@ def _is_scipy_spline(curve: Any) -> bool:
     return callable(curve) and callable(getattr(curve, "derivative", None))
 
 
-def _derivatives_of_spline(spline: Any) -> Callable[[float], numpy.ndarray]:
+def _derivatives_of_spline(spline: Any) -> Callable[[float], NDArray[numpy.float64]]:
     orders = [spline] + [spline.derivative(order) for order in range(1, _ORDERS)]
     return lambda xi: numpy.array([order(xi) for order in orders], dtype=float)
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ._core import Path
 
@@ -14,11 +14,11 @@ from ._core import Path
 class PathState(NamedTuple):
     """The state of a path at one parameter or at many; see evaluate()."""
 
-    position: numpy.ndarray
-    frame: numpy.ndarray
-    body_rate_per_xi: numpy.ndarray | float
-    speed: numpy.ndarray | float
-    arc_length: numpy.ndarray | float
+    position: NDArray[numpy.float64]
+    frame: NDArray[numpy.float64]
+    body_rate_per_xi: NDArray[numpy.float64] | float
+    speed: NDArray[numpy.float64] | float
+    arc_length: NDArray[numpy.float64] | float
 
 
 def evaluate(path: Path, xi: ArrayLike) -> PathState:
