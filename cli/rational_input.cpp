@@ -44,8 +44,20 @@ Fault placed(Fault fault, std::string_view text, std::size_t index) {
 }
 
 void read_rational_input(const std::vector<std::string>& words, const RationalReaders& readers) {
+  std::string definitions;  // of the words so far, one a line: names go from one word to the next
+  const auto read_definitions = [&] {
+    if (!definitions.empty()) read_text(readers, definitions, "");
+    definitions.clear();
+  };
   for (const std::string& word : words) {
-    if (word != "-" && word.find_first_of("={\n") != std::string::npos) {
+    const std::size_t begin = word.find_first_not_of(" \t\r\n");
+    const bool is_json = begin != std::string::npos && word[begin] == '{';
+    if (word != "-" && !is_json && word.find_first_of("=\n") != std::string::npos) {
+      definitions += (definitions.empty() ? "" : "\n") + word;
+      continue;
+    }
+    read_definitions();
+    if (is_json) {
       read_text(readers, word, "");
     } else {
       std::string text = read_file(word, longest_rational_text).value();
@@ -54,6 +66,7 @@ void read_rational_input(const std::vector<std::string>& words, const RationalRe
       read_text(readers, text, input_name(word));
     }
   }
+  read_definitions();
 }
 
 }  // namespace hodograph::cli

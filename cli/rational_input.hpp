@@ -33,6 +33,7 @@ T taken(Result<T> value, std::string_view text, std::size_t index) {
 }
 
 /// Hands every word to the reader it is for: a definition, a JSON object, or the name of a file.
+/// Definitions that follow each other are one text, one word a line.
 /// Where a text cannot be read, its place is remembered for the terminal. Throws Error.
 void read_rational_input(const std::vector<std::string>& words, const RationalReaders& readers);
 

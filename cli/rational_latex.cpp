@@ -1,12 +1,40 @@
 // SPDX-License-Identifier: MIT
 // What is known of rational PH curves, as LaTeX (amsmath).
 #include <array>
+#include <cctype>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 #include "cli/rationals.hpp"
 
 namespace hodograph::cli {
 namespace {
+
+/// A formula stands on a line of its own, or, where it is wider than the page, it is broken into
+/// lines: TeX does so at signs and commas outside of fractions, columns and growing brackets.
+enum class Layout { line, broken };
+
+/// About as wide as the page, in characters that are seen.
+constexpr std::size_t page_width = 120;
+
+/// The characters of a formula that are seen, about: commands and braces are not.
+std::size_t width(std::string_view formula) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    if (formula[i] == '\\') {
+      while (i + 1 < formula.size() && std::isalpha(static_cast<unsigned char>(formula[i + 1])))
+        ++i;
+    } else if (std::string_view("{} ^").find(formula[i]) == std::string_view::npos) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+std::string bracketed(const std::string& formula, Layout layout) {
+  return layout == Layout::line ? "\\left(" + formula + "\\right)" : "(" + formula + ")";
+}
 
 std::string latex(const Rational& x) {
   const std::string text = to_text(x.sign() < 0 ? -x : x);
@@ -39,7 +67,7 @@ std::string latex(const RationalPolynomial& p) {
   return sum.empty() ? "0" : sum;
 }
 
-std::string latex(const QuaternionPolynomial& a) {
+std::string latex(const QuaternionPolynomial& a, Layout layout = Layout::line) {
   constexpr std::array units = {"", "\\mathbf{i}", "\\mathbf{j}", "\\mathbf{k}"};
   std::string sum;
   for (std::size_t c = 0; c < 4; ++c) {
@@ -55,16 +83,22 @@ std::string latex(const QuaternionPolynomial& a) {
     } else if (alone && part[0] != '-') {
       sum += (sum.empty() ? "" : " + ") + part + "\\," + units[c];
     } else {
-      sum += (sum.empty() ? "" : " + ") + std::string("\\left(") + part + "\\right)" + units[c];
+      sum += (sum.empty() ? "" : " + ") + bracketed(part, layout) + units[c];
     }
   }
   return sum.empty() ? "0" : sum;
 }
 
-std::string column(const std::string& x, const std::string& y, const std::string& z) {
+std::string column(const std::string& x, const std::string& y, const std::string& z,
+                   Layout layout = Layout::line) {
+  if (layout == Layout::broken) {
+    return "\\bigl(" + x + ",\\allowbreak\\; " + y + ",\\allowbreak\\; " + z + "\\bigr)^T";
+  }
   return "\\begin{pmatrix} " + x + " \\\\ " + y + " \\\\ " + z + " \\end{pmatrix}";
 }
-std::string latex(const VectorPolynomial& v) { return column(latex(v.x), latex(v.y), latex(v.z)); }
+std::string latex(const VectorPolynomial& v, Layout layout = Layout::line) {
+  return column(latex(v.x), latex(v.y), latex(v.z), layout);
+}
 std::string latex(const RationalVector& v) { return column(latex(v.x), latex(v.y), latex(v.z)); }
 
 /// The factors of a polynomial over ℚ, where they are short.
@@ -79,18 +113,38 @@ std::string factored(const RationalPolynomial& p) {
   }
   return product;
 }
-std::string latex(const RationalFunction& f) {
-  return f.is_polynomial()
-             ? latex(f.numerator())
-             : "\\frac{" + latex(f.numerator()) + "}{" + factored(f.denominator()) + "}";
+std::string latex(const RationalFunction& f, Layout layout = Layout::line) {
+  if (f.is_polynomial()) return latex(f.numerator());
+  const std::string above = latex(f.numerator()), below = factored(f.denominator());
+  return layout == Layout::line ? "\\frac{" + above + "}{" + below + "}"
+                                : "\\frac{1}{" + below + "} (" + above + ")";
 }
-std::string latex(const VectorFunction& r) {
+std::string latex(const VectorFunction& r, Layout layout = Layout::line) {
   return (r.is_polynomial() ? "" : "\\frac{1}{" + factored(r.denominator()) + "}") +
-         latex(r.numerator());
+         latex(r.numerator(), layout);
 }
 
-std::string shown(const std::string& left, const std::string& right) {
-  return "\\[ " + left + " = " + right + " \\]\n";
+/// The formula of formula(Layout) on lines of its own; `end` follows it.
+template <class Formula>
+  requires std::is_invocable_v<Formula, Layout>
+std::string displayed(const Formula& formula, const std::string& end = "") {
+  const std::string line = formula(Layout::line) + end;
+  if (width(line) <= page_width) return "\\[ " + line + " \\]\n";
+  return "\\begin{flushleft}$\\displaystyle " + formula(Layout::broken) + end +
+         "$\\end{flushleft}\n";
+}
+/// left = what value(Layout) gives, or the value itself.
+template <class Value>
+std::string shown(const std::string& left, const Value& value) {
+  return displayed([&](Layout layout) {
+    if constexpr (std::is_invocable_v<Value, Layout>) {
+      return left + " = " + value(layout);
+    } else if constexpr (std::is_same_v<Value, RationalPolynomial>) {
+      return left + " = " + latex(value);
+    } else {
+      return left + " = " + latex(value, layout);
+    }
+  });
 }
 
 /// Plain text with the characters that mean something in LaTeX escaped; powers in math.
@@ -141,46 +195,52 @@ std::string heading(const std::string& title) { return "\\subsection*{" + escape
 
 std::string latex_of(const DescribedCurve& described) {
   const RationalPhCurve& curve = described.curve;
-  std::string text = heading(capital(described.name)) + shown("r(t)", latex(curve.position()));
+  std::string text = heading(capital(described.name)) + shown("r(t)", curve.position());
   if (curve.kind() == CurveKind::constant) return text;
-  text += shown("\\lambda", latex(curve.lambda()));
-  text += shown("\\sigma", latex(curve.speed()));
+  text += shown("\\lambda", curve.lambda());
+  text += shown("\\sigma", curve.speed());
   text += described.length.obstruction.is_zero()
-              ? shown("s(t)", latex(described.length.rational))
-              : "The arc length is not rational: the part with simple poles of $\\sigma$ is\n\\[ " +
-                    latex(described.length.obstruction) + ". \\]\n";
+              ? shown("s(t)", described.length.rational)
+              : "The arc length is not rational: the part with simple poles of $\\sigma$ is\n" +
+                    displayed(
+                        [&](Layout layout) { return latex(described.length.obstruction, layout); },
+                        ".");
   text += "Poles: " + places(described.poles) + ".";
   if (described.stationary) text += " Zeros of $\\lambda$: " + places(*described.stationary) + ".";
   text += "\n";
-  if (described.planes) text += shown("f = (F \\times F') \\cdot r", latex(*described.planes));
-  text += shown("C", latex(described.motion.primal) + " + \\varepsilon\\left(" +
-                         latex(described.motion.dual) + "\\right)");
+  if (described.planes) text += shown("f = (F \\times F') \\cdot r", *described.planes);
+  text += shown("C", [&](Layout layout) {
+    return latex(described.motion.primal, layout) + " + \\varepsilon " +
+           bracketed(latex(described.motion.dual, layout), layout);
+  });
   const auto& parts = described.decomposition;
   if (parts.pieces.size() > 1 || !parts.polynomial_lambda.is_zero()) {
-    std::string sum;
-    for (const auto& piece : parts.pieces) {
-      sum += (sum.empty() ? "" : " + ") + latex(piece.curve);
-    }
-    if (!parts.polynomial_lambda.is_zero()) {
-      sum += (sum.empty() ? "" : " + ") + std::string("\\int \\left(") +
-             latex(parts.polynomial_lambda) + "\\right) F \\, dt";
-    }
-    text += shown("r(t)", sum + " + " + latex(parts.constant));
+    text += shown("r(t)", [&](Layout layout) {
+      std::string sum;
+      for (const auto& piece : parts.pieces) {
+        sum += (sum.empty() ? "" : " + ") + latex(piece.curve, layout);
+      }
+      if (!parts.polynomial_lambda.is_zero()) {
+        sum += (sum.empty() ? "" : " + ") + std::string("\\int ") +
+               bracketed(latex(parts.polynomial_lambda), layout) + " F \\, dt";
+      }
+      return sum + " + " + latex(parts.constant);
+    });
   }
   return text;
 }
 
 std::string latex_of(const RationalAnswer& answer) {
   const SolutionSpace& space = answer.space;
-  std::string text =
-      shown("A", latex(*answer.problem.a)) + shown("\\alpha", factored(space.alpha()));
+  std::string text = shown("A", *answer.problem.a) +
+                     shown("\\alpha", [&](Layout) { return factored(space.alpha()); });
   const Reduction& reduction = space.preimage_reduction();
   if (!reduction.was_reduced()) {
-    text += "Reduced with respect to $\\mathbf{i}$, $A$ becomes\n\\[ " + latex(reduction.reduced) +
-            ". \\]\n";
+    text += "Reduced with respect to $\\mathbf{i}$, $A$ becomes\n" +
+            displayed([&](Layout layout) { return latex(reduction.reduced, layout); }, ".");
   }
-  text += shown("F = A \\mathbf{i} A^*", latex(space.indicatrix()));
-  text += shown("|A|^2", latex(norm_polynomial(space.preimage())));
+  text += shown("F = A \\mathbf{i} A^*", space.indicatrix());
+  text += shown("|A|^2", norm_polynomial(space.preimage()));
   text += escaped(capital(answer.existence.reason)) + ".\n";
   text +=
       "\\begin{center}\\begin{tabular}{rrrr}\n$\\deg B$ & dimension & predicted & truly rational "

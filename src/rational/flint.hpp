@@ -114,9 +114,13 @@ class IntegerPolynomial {
     fmpq_poly_get_numerator(value_, raw(p));
     fmpz_poly_primitive_part(value_, value_);
   }
-  IntegerPolynomial(const IntegerPolynomial&) = delete;
+  IntegerPolynomial(const IntegerPolynomial& other) {
+    fmpz_poly_init(value_);
+    fmpz_poly_set(value_, other.value_);
+  }
   IntegerPolynomial& operator=(const IntegerPolynomial&) = delete;
   ~IntegerPolynomial() { fmpz_poly_clear(value_); }
+  fmpz_poly_struct* get() { return value_; }
   const fmpz_poly_struct* get() const { return value_; }
 
  private:

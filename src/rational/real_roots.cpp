@@ -37,34 +37,97 @@ std::size_t variations(const RationalPolynomial& p) {
   }
   return changes;
 }
-std::size_t variations(const RationalPolynomial& p, const Rational& a, const Rational& b) {
-  return variations(on_half_line(p, a, b));
+
+Rational power_of_two(ulong bits) {
+  Rational power(1);
+  fmpz_mul_2exp(fmpq_numref(raw(power)), fmpq_numref(raw(power)), bits);
+  return power;
 }
 
-/// Every real root of an irreducible p of degree 2 or more: no midpoint is a root.
-void isolate(const PolynomialFactor& p, const Rational& a, const Rational& b,
+/// What p is on an interval, moved to (0, 1): an integer polynomial with p's signs there. Whole
+/// numbers without their common powers of two need no division, which is what fractions spend
+/// nearly all their time on.
+class Piece {
+ public:
+  /// p on (-2^k, 2^k).
+  Piece(const RationalPolynomial& p, ulong k) : q_(p) {
+    fmpz_poly_struct* q = q_.get();
+    scale([k](slong j) { return k * static_cast<ulong>(j); });
+    fmpz minus_one = -1;
+    fmpz_poly_taylor_shift(q, q, &minus_one);
+    scale([](slong j) { return static_cast<ulong>(j); });
+  }
+
+  /// p on the left half of the interval; right(): of the piece that left() gave, on the other.
+  Piece left() const {
+    Piece half = *this;
+    const slong n = fmpz_poly_degree(q_.get());
+    half.scale([n](slong j) { return static_cast<ulong>(n - j); });
+    return half;
+  }
+  Piece right_of_left() const {
+    Piece other = *this;
+    fmpz one = 1;
+    fmpz_poly_taylor_shift(other.q_.get(), other.q_.get(), &one);
+    return other;
+  }
+
+  /// Sign changes of the coefficients of (1 + x)^n q(1 / (1 + x)): as many as p has roots in the
+  /// interval, or an even number more.
+  std::size_t variations() const {
+    rational_detail::IntegerPolynomial open = q_;
+    fmpz_poly_reverse(open.get(), open.get(), fmpz_poly_length(open.get()));
+    fmpz one = 1;
+    fmpz_poly_taylor_shift(open.get(), open.get(), &one);
+    std::size_t changes = 0;
+    int last = 0;
+    for (slong j = 0; j < fmpz_poly_length(open.get()); ++j) {
+      const int sign = fmpz_sgn(fmpz_poly_get_coeff_ptr(open.get(), j));
+      if (sign != 0 && last != 0 && sign != last) ++changes;
+      if (sign != 0) last = sign;
+    }
+    return changes;
+  }
+
+ private:
+  /// The coefficient of x^j times 2^bits(j), all without their common power of two.
+  template <class Bits>
+  void scale(const Bits& bits) {
+    fmpz_poly_struct* q = q_.get();
+    for (slong j = 0; j < fmpz_poly_length(q); ++j) {
+      fmpz* c = fmpz_poly_get_coeff_ptr(q, j);
+      fmpz_mul_2exp(c, c, bits(j));
+    }
+    _fmpz_poly_remove_content_2exp(q->coeffs, q->length);
+  }
+
+  rational_detail::IntegerPolynomial q_;
+};
+
+/// Every real root of an irreducible p of degree 2 or more within (a, b): no midpoint is a root.
+void isolate(const PolynomialFactor& p, const Piece& piece, const Rational& a, const Rational& b,
              std::vector<RealRoot>& found) {
-  const std::size_t changes = variations(p.factor, a, b);
+  const std::size_t changes = piece.variations();
   if (changes == 0) return;
   if (changes == 1) {
     found.emplace_back(p.factor, p.multiplicity, a, b);
     return;
   }
   const Rational m = middle(a, b);
-  isolate(p, a, m, found);
-  isolate(p, m, b, found);
+  const Piece left = piece.left();
+  isolate(p, left, a, m, found);
+  isolate(p, left.right_of_left(), m, b, found);
 }
 
-/// A power of two above the size of every root of a monic p (Cauchy's bound).
-Rational root_bound(const RationalPolynomial& p) {
-  Rational largest(1);
-  for (const Rational& c : p.coefficients()) {
-    const Rational size = c.sign() < 0 ? -c : c;
-    if (largest < size) largest = size;
-  }
-  Rational bound(2);
-  while (bound <= largest + Rational(1)) bound *= Rational(2);
-  return bound;
+/// k such that 2^k is above the size of every root of p (Fujiwara's bound).
+ulong root_bound_bits(const RationalPolynomial& p) {
+  const rational_detail::IntegerPolynomial whole(p);
+  fmpz_t bound;
+  fmpz_init(bound);
+  fmpz_poly_bound_roots(bound, whole.get());
+  const ulong bits = fmpz_bits(bound);  // 2^bits > bound
+  fmpz_clear(bound);
+  return bits;
 }
 
 }  // namespace
@@ -111,8 +174,9 @@ std::vector<RealRoot> real_roots(const RationalPolynomial& p) {
       const Rational root = -q.factor.coefficient(0);
       roots.emplace_back(q.factor, q.multiplicity, root, root);
     } else {
-      const Rational bound = root_bound(q.factor);
-      isolate(q, -bound, bound, roots);
+      const ulong bits = root_bound_bits(q.factor);
+      const Rational bound = power_of_two(bits);
+      isolate(q, Piece(q.factor, bits), -bound, bound, roots);
     }
   }
   const auto before = [](const RealRoot& a, const RealRoot& b) { return a.upper() < b.lower(); };

@@ -359,6 +359,27 @@ TEST(RationalCommand, WritesALatexDocument) {
   EXPECT_TRUE(open.empty());
 }
 
+TEST(RationalCommand, CarriesNamesFromOneWordToTheNext) {
+  const Program program;
+  const auto one =
+      program.run({"rational", "c = t + 1; A = t^2 - (i+j)*t + k; alpha = c^2", "--json"});
+  const auto three =
+      program.run({"rational", "c = t + 1", "A = t^2 - (i+j)*t + k", "alpha = c^2", "--json"});
+  EXPECT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(one.out, three.out);
+}
+
+TEST(RationalCommand, BreaksFormulasThatAreWiderThanThePage) {
+  const Program program;
+  const auto latex = [&](const std::string& alpha) {
+    return program.run({"rational", "A = t^2 - (i+j)*t + k", "alpha = " + alpha, "--latex"}).out;
+  };
+  EXPECT_EQ(latex("t").find("flushleft"), std::string::npos);
+  EXPECT_NE(
+      latex("(t + 1)^2*(t^2 + 3)^2; degree = 12").find("\\begin{flushleft}$\\displaystyle C = "),
+      std::string::npos);
+}
+
 TEST(RationalCommand, PointsAtMistakes) {
   const Program program;
   const auto run = [&](std::vector<std::string> words, const std::string& input = "") {
@@ -371,7 +392,9 @@ TEST(RationalCommand, PointsAtMistakes) {
   expect_refused(run({"bad.txt"}), "bad.txt, line 3, column 13: the name 'q'");
   expect_refused(run({"A = t; alpha = i"}), "line 1, column 16: alpha should be real");
   expect_refused(run({"A = 1/t; alpha = t"}), "line 1, column 5: A should be a polynomial");
-  expect_refused(run({"A = t; alpha = t", "alpha = 1"}), "'alpha' is given twice");
+  expect_refused(run({"A = t; alpha = t", "alpha = 1"}),
+                 "line 2, column 1: 'alpha' is defined twice");
+  expect_refused(run({"c = t + 1", "A = t + k", "alpha = d^2"}), "line 3, column 9: the name 'd'");
   expect_refused(run({"{\"A\": \"t +\", \"alpha\": \"t\"}"}), "column 4");
   expect_refused(run({"{\"A\": [[1], [2]], \"alpha\": \"t\"}"}), "4 lists");
   expect_refused(run({"{\"A\": \"t\", \"beta\": \"t\"}"}), "beta");
