@@ -4,7 +4,7 @@
 
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help run test check check-format check-tidy check-sanitize check-rules bench table1 campaign format clean
+.PHONY: help run test check check-format check-tidy check-sanitize check-rules bench table1 campaign api format clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /  make \1\t/p' Makefile | expand -t 22
@@ -40,9 +40,10 @@ check-sanitize: ## all tests under the address and undefined-behaviour sanitizer
 	@tools/run_tests sanitize
 
 bench: ## run every benchmark of bench/ and print its ratios
-	@tools/install_packages run
-	@tools/build release bench
+	@tools/install_packages python
+	@tools/build release bench hodograph_python
 	@tools/run_all build/release/bench
+	@/usr/bin/python3 -B bench/python_evaluate.py build/release
 
 table1: ## print the convergence table of the first paper, recomputed in 60 digits
 	@tools/install_packages run
@@ -53,6 +54,11 @@ campaign: ## run the long random campaigns (minutes)
 	@tools/install_packages test
 	@tools/build develop campaign
 	@build/develop/tests/campaign
+
+api: ## rewrite the type stubs and the lists of public names
+	@tools/install_packages test
+	@tools/build develop hodograph_python
+	@tools/make_stubs build/develop
 
 format: ## let clang-format rewrite our sources
 	@tools/install_packages check
