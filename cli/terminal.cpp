@@ -13,16 +13,17 @@ namespace hodograph::cli {
 namespace {
 
 constexpr std::chrono::milliseconds between_updates{200};
+constexpr std::chrono::milliseconds between_lines{5000};  // where nothing is rewritten in place
 
 volatile std::sig_atomic_t interrupted = 0;
 
 std::string& typed_formula() {
-  static std::string formula;
+  static thread_local std::string formula;
   return formula;
 }
 
 std::string& typed_place() {
-  static std::string lines;
+  static thread_local std::string lines;
   return lines;
 }
 
@@ -56,32 +57,51 @@ void show_remembered_place() {
   if (isatty(STDERR_FILENO) != 0) std::fputs(typed_place().c_str(), stderr);
 }
 
-Progress::Progress(std::string what)
+Progress::Progress(std::string what, bool asked)
     : what_(std::move(what)),
       on_terminal_(isatty(STDERR_FILENO) != 0),
+      asked_(asked),
       last_(std::chrono::steady_clock::now()) {}
 
-Progress::~Progress() {
-  if (shown_) std::fputs("\r\x1b[K", stderr);
+Progress::~Progress() { wipe(); }
+
+void Progress::wipe() {
+  if (on_terminal_ && on_screen_) std::fputs("\r\x1b[K", stderr);
+  on_screen_ = false;
 }
 
 bool Progress::is_due() {
+  if (!is_wanted()) return false;
   const auto now = std::chrono::steady_clock::now();
-  if (!on_terminal_ || now - last_ < between_updates) return false;
+  if (now - last_ < (on_terminal_ ? between_updates : between_lines)) return false;
   last_ = now;
-  shown_ = true;
+  shown_ = on_screen_ = true;
   return true;
 }
 
+void Progress::put(const std::string& text) {
+  std::fprintf(stderr, on_terminal_ ? "\r\x1b[K%s: %s" : "%s: %s\n", what_.c_str(), text.c_str());
+}
+
 void Progress::show(const std::string& text) {
-  if (is_due()) std::fprintf(stderr, "\r\x1b[K%s: %s", what_.c_str(), text.c_str());
+  if (is_due()) put(text);
+}
+
+void Progress::show(const std::function<std::string()>& text) {
+  if (is_due()) put(text());
+}
+
+void Progress::note(const std::string& line) {
+  wipe();
+  std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 bool Progress::operator()(std::size_t segments, double fraction) {
   if (!is_due()) return true;
   constexpr double percent = 100.0;
-  std::fprintf(stderr, "\r\x1b[K%s: %zu segments, %.0f %%", what_.c_str(), segments,
-               percent * fraction);
+  char text[64];
+  std::snprintf(text, sizeof text, "%zu segments, %.0f %%", segments, percent * fraction);
+  put(text);
   return true;
 }
 

@@ -24,10 +24,11 @@ void remember_place(const std::string& lines);
 void show_remembered_place();
 
 /// A progress line on standard error, rewritten in place; shown on a terminal alone, and only once
-/// the work has lasted a while. Wiped when the object goes.
+/// the work has lasted a while. Wiped when the object goes. Elsewhere, where it was asked for, a
+/// line now and then.
 class Progress {
  public:
-  explicit Progress(std::string what);
+  explicit Progress(std::string what, bool asked = false);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -36,12 +37,21 @@ class Progress {
   bool operator()(std::size_t segments, double fraction);
   /// Shows any short text.
   void show(const std::string& text);
+  /// The same, the text made only where it is shown.
+  void show(const std::function<std::string()>& text);
+  /// A line of its own that stays, shown in any case.
+  void note(const std::string& line);
+  bool is_wanted() const { return on_terminal_ || asked_; }
+  /// Whether the work has lasted long enough for a progress line.
+  bool was_shown() const { return shown_; }
 
  private:
   bool is_due();
+  void put(const std::string& text);
+  void wipe();
 
   std::string what_;
-  bool on_terminal_ = false, shown_ = false;
+  bool on_terminal_ = false, asked_ = false, shown_ = false, on_screen_ = false;
   std::chrono::steady_clock::time_point last_;
 };
 

@@ -1,87 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The stream of requests: lines of bounded length and depth in, one line out for each.
+// One request: a line of bounded length and depth in, one line out.
 #include "cli/requests/batch.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <exception>
-#include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 
-#include "hodograph/io/file.hpp"
-
 namespace hodograph::cli {
 namespace {
-
-/// Lines of a file descriptor. A line longer than the limit is passed over, and said to be so.
-class LineReader {
- public:
-  explicit LineReader(const std::string& name) : name_(name) {
-    descriptor_ = name == "-" ? STDIN_FILENO : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail();
-  }
-  ~LineReader() {
-    if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
-  }
-  LineReader(const LineReader&) = delete;
-  LineReader& operator=(const LineReader&) = delete;
-
-  /// The next line, without its end; nothing at the end of the file. `too_long`: it was passed
-  /// over.
-  bool next(std::string& line, bool& too_long) {
-    line.clear();
-    too_long = false;
-    bool any = false;
-    for (;;) {
-      if (position_ == size_ && !fill()) return any;
-      any = true;
-      const char* const begin = buffer_.data() + position_;
-      const void* const end = std::memchr(begin, '\n', size_ - position_);
-      const std::size_t length =
-          end == nullptr ? size_ - position_
-                         : static_cast<std::size_t>(static_cast<const char*>(end) - begin);
-      if (line.size() + length > longest_request) {
-        too_long = true;
-        line.clear();
-        line.shrink_to_fit();
-      }
-      if (!too_long) line.append(begin, length);
-      position_ += length + (end == nullptr ? 0 : 1);
-      if (end != nullptr) return true;
-    }
-  }
-
- private:
-  bool fill() {
-    position_ = size_ = 0;
-    for (;;) {
-      const ssize_t count = ::read(descriptor_, buffer_.data(), buffer_.size());
-      if (count > 0) {
-        size_ = static_cast<std::size_t>(count);
-        return true;
-      }
-      if (count == 0) return false;
-      if (errno != EINTR) fail();
-    }
-  }
-  [[noreturn]] void fail() const {
-    throw Error(Fault{FaultCode::malformed_document,
-                      "cannot read " + (name_ == "-" ? "standard input" : "'" + name_ + "'") +
-                          ": " + std::strerror(errno),
-                      std::nullopt, "file", std::nullopt, std::nullopt});
-  }
-
-  std::string name_;
-  int descriptor_ = -1;
-  std::array<char, std::size_t{1} << 16U> buffer_{};
-  std::size_t position_ = 0, size_ = 0;
-};
 
 Fault malformed(std::string sentence, const char* quantity = "json") {
   return {FaultCode::malformed_document,
@@ -212,6 +139,9 @@ Answer answered(const Json& request, std::string& kind) {
   kind = members.text("request");
   for (const RequestKind& known : request_kinds()) {
     if (known.name == kind) {
+      static std::mutex one_at_a_time;
+      std::unique_lock lock(one_at_a_time, std::defer_lock);
+      if (known.runs == RequestRuns::one_at_a_time) lock.lock();
       return known.answer(members);
     }
   }
@@ -236,16 +166,24 @@ Json parsed_json(std::string_view text, const std::string& what) {
   return value;
 }
 
-std::string answer_line(std::string_view line) {
+AnsweredLine answered_line(std::string_view line, bool too_long) {
   Json request, id;
   std::string kind;
+  const auto refused = [&](Fault fault) {
+    std::string text = fault_line(id, kind, fault);
+    return AnsweredLine{std::move(text), std::move(fault)};
+  };
   try {
+    if (too_long) {
+      return refused(
+          malformed("the line is longer than " + std::to_string(longest_request) + " bytes"));
+    }
     request = parsed_json(line, "the request");
     if (request.is_object() && request.contains("id")) {
       id = request["id"];
       if (!id.is_string() && !id.is_number()) {
         id = Json();
-        return fault_line(id, kind, malformed("the id should be a string or a number", "/id"));
+        return refused(malformed("the id should be a string or a number", "/id"));
       }
       request.erase("id");
     }
@@ -264,41 +202,13 @@ std::string answer_line(std::string_view line) {
       append_one_line(out, answer.document);
       out += '}';
     }
-    return out + "}";
+    return {out + "}", std::nullopt};
   } catch (const Error& error) {
-    return fault_line(id, kind, error.fault());
+    return refused(error.fault());
   } catch (const std::bad_alloc&) {
-    return fault_line(id, kind, malformed("there is not enough memory for this request", "memory"));
+    return refused(malformed("there is not enough memory for this request", "memory"));
   } catch (const std::exception& error) {
-    return fault_line(id, kind, malformed(error.what()));
-  }
-}
-
-void run_batch(const std::string& input, const std::string& output) {
-  LineReader reader(input);
-  std::optional<OutputFile> file;
-  if (output != "-") file = OutputFile::create(output).value();
-  std::string line;
-  bool too_long = false;
-  while (reader.next(line, too_long)) {
-    if (!too_long && line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    std::string answer = too_long
-                             ? fault_line(Json(), "",
-                                          malformed("the line is longer than " +
-                                                    std::to_string(longest_request) + " bytes"))
-                             : answer_line(line);
-    answer += '\n';
-    if (file) {
-      file->write(answer);
-    } else if (std::fwrite(answer.data(), 1, answer.size(), stdout) != answer.size() ||
-               std::fflush(stdout) != 0) {
-      throw Error(Fault{FaultCode::not_written,
-                        std::string("standard output cannot be written: ") + std::strerror(errno),
-                        std::nullopt, "file", std::nullopt, std::nullopt});
-    }
-  }
-  if (file) {
-    if (const auto fault = file->commit()) throw Error(*fault);
+    return refused(malformed(error.what()));
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,11 +20,16 @@ struct Answer {
   std::string document;  ///< JSON text; empty: none
 };
 
+/// Whether requests of a kind may be answered by several threads at once. Ipopt with MUMPS and Clp
+/// have state that threads share: one thread at a time is inside them.
+enum class RequestRuns : unsigned char { side_by_side, one_at_a_time };
+
 /// One kind of request. A new construction adds one entry to the table in registry.cpp.
 struct RequestKind {
   std::string_view name;
   std::string_view summary;            ///< one line for --help
   Answer (*answer)(Members& request);  ///< throws Error
+  RequestRuns runs = RequestRuns::side_by_side;
 };
 std::span<const RequestKind> request_kinds();
 
@@ -37,12 +43,14 @@ inline constexpr std::size_t deepest_request = 32;
 /// (malformed_document); `what` is how its sentence calls the text.
 Json parsed_json(std::string_view text, const std::string& what);
 
-/// The answer to one line, without a line feed at its end. Nothing is thrown but std::bad_alloc.
-std::string answer_line(std::string_view line);
+/// One line of results, without a line feed at its end.
+struct AnsweredLine {
+  std::string text;
+  std::optional<Fault> fault;  ///< what `text` says, where the request was refused
+};
 
-/// Answers every line of a file ("-": standard input) in order. Empty lines are skipped. Memory:
-/// one request and its answer. Standard output is flushed after every line; a file appears when all
-/// is done. Throws Error: malformed_document (the input cannot be read), not_written.
-void run_batch(const std::string& input, const std::string& output);
+/// The answer to one line; `too_long`: it was passed over. Several threads may ask at once. Nothing
+/// is thrown but std::bad_alloc.
+AnsweredLine answered_line(std::string_view line, bool too_long = false);
 
 }  // namespace hodograph::cli
