@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hodograph/frame/continuity.hpp"
-#include "hodograph/path/bounds.hpp"
-#include "hodograph/path/continuity.hpp"
+#include "hodograph/frame/any_continuity.hpp"
+#include "hodograph/path/any_bounds.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -61,8 +60,27 @@ double hodograph_identity(const PhCurve<A, n>& curve) {
   return worst / (roundings * epsilon<double>());
 }
 
+/// Promised bounds are refined to about this relative width, 2^-20: far below what a drawing or a
+/// limit needs, far above rounding.
+constexpr double promised_width = 0x1p-20;
+
 template <class P>
-void continuity_of(PathFacts& facts, const P& path) {
+void ends_of(PathFacts& facts, const P& path) {
+  const auto& last = path.segments().back();
+  const auto end = last.end();
+  facts.end = {end[0], end[1], 0.0};
+  if constexpr (P::Point::dimension == 3) facts.end.z = end[2];
+  facts.end_rounding =
+      accuracy::join_error<double>() *
+      std::max({largest_component(end), largest_component(last.start()), last.arc_length()});
+  for (const auto& curve : path.segments()) {
+    facts.hodograph_identity = std::max(facts.hodograph_identity, hodograph_identity(curve));
+  }
+}
+
+}  // namespace
+
+void set_continuity(PathFacts& facts, const AnyPath& path) {
   const auto curve = continuity(path);
   const auto frame = frame_continuity(path);
   facts.continuity = {curve.position.order(), curve.preimage.order(), frame.frame.order(),
@@ -72,46 +90,20 @@ void continuity_of(PathFacts& facts, const P& path) {
   facts.frame = jump_facts(frame.frame);
   facts.angular_velocity = jump_facts(frame.angular_velocity);
   facts.antiperiodic = curve.antiperiodic;
-  if constexpr (P::Point::dimension == 3) {
-    if (const auto left_over = holonomy(path)) facts.holonomy = *left_over;
-  }
+  if (const auto left_over = holonomy(path)) facts.holonomy = *left_over;
 }
 
-/// Promised bounds are refined to about this relative width, 2^-20: far below what a drawing or a
-/// limit needs, far above rounding.
-constexpr double promised_width = 0x1p-20;
-
-template <class P>
-void bounds_of(PathFacts& facts, const P& path) {
+PathFacts facts_of(const AnyPath& path) {
+  PathFacts facts;
+  set_continuity(facts, path);
+  path.visit([&](const auto& p) { ends_of(facts, p); });
   const RangeGoal goal{promised_width};
-  const auto& last = path.segments().back();
-  const auto end = last.end();
-  facts.end = {end[0], end[1], 0.0};
-  if constexpr (P::Point::dimension == 3) facts.end.z = end[2];
-  facts.end_rounding =
-      accuracy::join_error<double>() *
-      std::max({largest_component(end), largest_component(last.start()), last.arc_length()});
   facts.arc_length = arc_length_enclosure(path);
   const Extremes speed = speed_extremes(path, goal);
   facts.smallest_speed = speed.minimum;
   facts.largest_speed = speed.maximum;
   const Extremes curvature = curvature_extremes(path, goal);
   facts.curvature_bound = std::max({0.0, -curvature.minimum.lower(), curvature.maximum.upper()});
-  for (const auto& curve : path.segments()) {
-    facts.hodograph_identity = std::max(facts.hodograph_identity, hodograph_identity(curve));
-  }
-}
-
-}  // namespace
-
-void set_continuity(PathFacts& facts, const AnyPath& path) {
-  path.visit([&](const auto& p) { continuity_of(facts, p); });
-}
-
-PathFacts facts_of(const AnyPath& path) {
-  PathFacts facts;
-  set_continuity(facts, path);
-  path.visit([&](const auto& p) { bounds_of(facts, p); });
   return facts;
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/planar_facts.hpp"
 
-#include "hodograph/path/bending_energy.hpp"
-#include "hodograph/path/planar_curvature.hpp"
-#include "hodograph/path/rotation_index.hpp"
-#include "hodograph/path/signed_area.hpp"
+#include "hodograph/path/any_bounds.hpp"
+#include "hodograph/path/any_planar.hpp"
 #include "hodograph/surface/offset.hpp"
 
 namespace hodograph::cli {
@@ -25,33 +23,6 @@ std::string_view name_of(CurvatureExtremeKind kind) {
   return "";
 }
 
-template <std::size_t n>
-PlanarFacts facts_of_planar(const PlanarPath<n>& path) {
-  PlanarFacts facts;
-  const RotationIndices turns = rotation_index_enclosures(path);
-  facts.rotation_index = turns.with_sign;
-  facts.absolute_rotation_index = turns.absolute;
-  if (const auto energy = bending_energy_enclosure(path)) facts.bending_energy = *energy;
-  facts.signed_area = signed_area_enclosure(path);
-  const RangeGoal goal{shown_width};
-  const Extremes curvature = curvature_extremes(path, goal);
-  facts.smallest_curvature = curvature.minimum;
-  facts.largest_curvature = curvature.maximum;
-  const CuspFreeOffsets offsets = cusp_free_offsets(curvature);
-  facts.offset_limit_left = offsets.left;
-  facts.offset_limit_right = offsets.right;
-  if constexpr (n > 0) {
-    for (const Inflection& one : inflections(path)) {
-      facts.inflections.push_back({one.xi, one.xi_range, Enclosure(0.0),
-                                   one.kind == RootKind::simple ? "simple" : "undecided"});
-    }
-    for (const auto& one : curvature_stationary_points(path)) {
-      facts.curvature_extremes.push_back({one.xi, one.xi_range, one.curvature, name_of(one.kind)});
-    }
-  }
-  return facts;
-}
-
 Json json_of(const CurvaturePlace& place, bool with_curvature) {
   Json json = {{"xi", place.xi}, {"xi_range", cli::json_of(place.xi_range)}};
   if (with_curvature) json["curvature"] = cli::json_of(place.curvature);
@@ -62,24 +33,32 @@ Json json_of(const CurvaturePlace& place, bool with_curvature) {
 }  // namespace
 
 std::optional<PlanarFacts> planar_facts_of(const AnyPath& path) {
-  return path.visit([](const auto& p) -> std::optional<PlanarFacts> {
-    using P = std::remove_cvref_t<decltype(p)>;
-    if constexpr (P::Point::dimension == 2) {
-      return facts_of_planar<P::preimage_degree>(p);
-    } else {
-      return std::nullopt;
-    }
-  });
+  if (path.dimension() != 2) return std::nullopt;
+  PlanarFacts facts;
+  const RotationIndices turns = rotation_index_enclosures(path);
+  facts.rotation_index = turns.with_sign;
+  facts.absolute_rotation_index = turns.absolute;
+  if (const auto energy = bending_energy_enclosure(path)) facts.bending_energy = *energy;
+  facts.signed_area = signed_area_enclosure(path);
+  const Extremes curvature = curvature_extremes(path, RangeGoal{shown_width});
+  facts.smallest_curvature = curvature.minimum;
+  facts.largest_curvature = curvature.maximum;
+  const CuspFreeOffsets offsets = cusp_free_offsets(curvature);
+  facts.offset_limit_left = offsets.left;
+  facts.offset_limit_right = offsets.right;
+  for (const Inflection& one : inflections(path)) {
+    facts.inflections.push_back({one.xi, one.xi_range, Enclosure(0.0),
+                                 one.kind == RootKind::simple ? "simple" : "undecided"});
+  }
+  for (const auto& one : curvature_stationary_points(path)) {
+    facts.curvature_extremes.push_back({one.xi, one.xi_range, one.curvature, name_of(one.kind)});
+  }
+  return facts;
 }
 
 std::string_view keeps_curvature_limit(const AnyPath& path, double limit) {
-  const hodograph::Answer answer = path.visit([limit](const auto& p) {
-    if constexpr (std::remove_cvref_t<decltype(p)>::Point::dimension == 2) {
-      return curvature_stays_within(p, limit);
-    } else {
-      return hodograph::Answer::undecided;
-    }
-  });
+  if (path.dimension() != 2) return "undecided";
+  const hodograph::Answer answer = curvature_stays_within(path, limit);
   switch (answer) {
     case hodograph::Answer::yes:
       return "yes";

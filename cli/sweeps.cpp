@@ -13,6 +13,7 @@
 #include "hodograph/io/mesh_file.hpp"
 #include "hodograph/io/mesh_picture.hpp"
 #include "hodograph/io/table.hpp"
+#include "hodograph/path/any_bounds.hpp"
 #include "hodograph/surface/sweep_contact.hpp"
 
 namespace hodograph::cli {
@@ -126,9 +127,7 @@ std::string sweep_format(const std::string& file, const std::string& format) {
   return format_of(file, format);
 }
 
-TubeRadius tube_radius_of(const AnyPath& path) {
-  return path.visit([](const auto& p) { return largest_tube_radius(p, tube_goal); });
-}
+TubeRadius tube_radius_of(const AnyPath& path) { return largest_tube_radius(path, tube_goal); }
 
 namespace {
 
