@@ -18,6 +18,7 @@ from hodograph import plots
 
 ROOT = Path(__file__).resolve().parents[2]
 BLUE, ORANGE, GREEN, PURPLE, GOLD, GREY = plots.COLOURS
+FRAME = plots.FRAME_COLOURS
 _DPI = 130
 
 
@@ -61,6 +62,11 @@ def view(ax, elevation, azimuth, zoom=1.15):
 def largest_difference(a, b):
     """The largest distance of points (n, d)."""
     return float(np.linalg.norm(np.asarray(a) - np.asarray(b), axis=-1).max())
+
+
+def direction(angle):
+    """(cos, sin)."""
+    return np.array([np.cos(angle), np.sin(angle)])
 
 
 def save(made, name=None, dpi=_DPI):

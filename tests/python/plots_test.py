@@ -77,7 +77,7 @@ class Paths(unittest.TestCase):
                 xi = plots.parameters(path, count)
                 self.assertTrue(np.all(np.isin(path.knots, xi)))
                 self.assertTrue(np.all(np.diff(xi) > 0.0))
-                self.assertLessEqual(len(xi), count + 13 * len(path.knots))
+                self.assertLessEqual(len(xi), count + 17 * len(path.knots))
 
     def test_keywords_reach_the_line(self):
         line = plots.path(_PLANAR, _axes(), color="k", lw=3, label="way").lines[0]
@@ -150,6 +150,12 @@ class Profiles(unittest.TestCase):
         self.assertEqual(np.isnan(jumps).sum(), 4)
         self.assertFalse(np.isnan(plots.profile(_CORNERS, ax=_axes()).lines[0].get_ydata()).any())
 
+    def test_a_path_of_one_segment_has_no_knot_to_break_at(self):
+        one = hodograph.planar_hermite_path([0, 1], [[0, 0], [1, 0]], [[1, 1], [1, -1]])
+        for quantity in ("curvature", lambda xi: np.stack([xi, xi], axis=-1)):
+            lines = plots.profile(one, quantity, _axes(), knots=True).lines
+            self.assertTrue(np.all(np.isfinite(lines[0].get_ydata())))
+
     def test_a_callable_and_relative_length(self):
         ax = plots.profile(_PLANAR, lambda xi: xi**2, _axes(), relative=True, knots=True, name="q")
         x, y = ax.lines[0].get_data()
@@ -197,8 +203,9 @@ class Worlds(unittest.TestCase):
 class Swarms(unittest.TestCase):
     def setUp(self):
         def vehicle(name, y, begin):
-            motion = SimpleNamespace(position=lambda t: np.array([t, y, 0.0]), start_time=begin,
-                                     end_time=10.0)
+            motion = SimpleNamespace(
+                position=lambda t: np.stack([t, np.full_like(t, y), 0.0 * t], axis=-1),
+                start_time=begin, end_time=10.0)
             return SimpleNamespace(id=name, motion=motion, radius=0.5)
 
         self.fleet = [vehicle("a", 0.0, 0.0), vehicle("b", 3.0, 2.0), vehicle("c", 7.0, 0.0)]
@@ -266,6 +273,12 @@ class Refusals(unittest.TestCase):
         self.refused("TriangleMesh", plots.surface, 3, _axes(True))
         self.refused("vertices 0 to 2", plots.surface, _TRIANGLE[0], _axes(True),
                      faces=_TRIANGLE[1] + 1)
+        self.refused("one triangle at least", plots.surface, _TRIANGLE[0], _axes(True),
+                     faces=np.zeros((0, 3), int))
+        self.refused("radius is positive, not -1", plots.turn_circles, _PLANAR, _axes(), radius=-1)
+        rest = hodograph.planar_hermite_path([0, 1], [[0, 0], [1, 0]], [[0, 0], [1, 1]])
+        self.refused("stands still at xi = 0", plots.curvature_comb, rest, _axes())
+        self.refused("one tooth", plots.curvature_comb, _PLANAR, _axes(), teeth=0)
         self.refused("n at least 3", plots.world, [[[0, 0], [1, 1]]], _axes())
 
     def test_matplotlib_missing_is_said(self):

@@ -6,7 +6,7 @@ global is changed. Lengths have equal scales. matplotlib is imported when someth
 """
 
 from ._convergence import convergence, orders
-from ._drawing import COLOURS, FRAME_COLOURS, parameters, style
+from ._drawing import COLOURS, FRAME_COLOURS, parameters, shades, style
 from ._paths import curvature_comb, frames, path
 from ._profiles import profile
 from ._surfaces import surface
@@ -14,5 +14,5 @@ from ._swarms import separations, swarm
 from ._worlds import band, plan, turn_circles, world
 
 __all__ = ["COLOURS", "FRAME_COLOURS", "band", "convergence", "curvature_comb", "frames", "orders",
-           "parameters", "path", "plan", "profile", "separations", "style", "surface", "swarm",
+           "parameters", "path", "plan", "profile", "separations", "shades", "style", "surface", "swarm",
            "turn_circles", "world"]

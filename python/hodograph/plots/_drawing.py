@@ -22,15 +22,25 @@ INK, QUIET, GRID = "#1b2733", "#8b99a6", "#e4e9ee"
 
 _LINE_WIDTH = 1.6
 _SAMPLES = 600
-_LEAST_PER_SEGMENT = 12
+_LEAST_PER_SEGMENT = 16
 _ZOOM = 1.15  # boxes in space leave much of their axes empty
 _FLATTEST_BOX = 0.05  # a side of a box in space, of the longest, however flat the data
+
+
+def shades(count: int) -> list[tuple[float, float, float]]:
+    """So many colours from orange over grey to blue, for a family with an order."""
+    package = matplotlib()
+    ends = [numpy.array(package.colors.to_rgb(c)) for c in ("#e08214", "#9a8fa3", "#0057a4")]
+    at = numpy.linspace(0.0, 2.0, count) if count > 1 else numpy.array([2.0])
+    return [tuple(ends[i] + (t - i) * (ends[min(i + 1, 2)] - ends[i]))
+            for t, i in ((t, min(int(t), 1)) for t in at)]
 
 
 def matplotlib() -> Any:
     """The package matplotlib, or ImportError with how to get it."""
     try:
         import matplotlib as package
+        import matplotlib.colors
     except ImportError as error:
         raise ImportError("hodograph.plots needs matplotlib, which this Python lacks; install it "
                           "(python3-matplotlib in Debian)") from error
@@ -175,16 +185,18 @@ def a_path(path: Any, spatial: bool | None = None) -> Path:
     return inner
 
 
-def parameters(path: Any, count: int = _SAMPLES) -> numpy.ndarray:
+def parameters(path: Any, count: int = _SAMPLES, least: int = _LEAST_PER_SEGMENT) -> numpy.ndarray:
     """Parameters at which plots sample a path: all knots, and between them about `count` in all,
-    more where the path is longer, evenly spaced within every segment."""
+    evenly spaced within every segment; more in longer ones, `least` in the shortest (less where
+    that would make more than `count`). Middles of segments are among them if count allows."""
     path = a_path(path)
     if count < 2:
         raise refuse(f"a path is drawn from 2 samples at least, not {count}", "count")
     knots = numpy.asarray(path.knots)
     lengths = numpy.diff(numpy.asarray(path.knot_arc_lengths))
-    least = max(1, min(_LEAST_PER_SEGMENT, count // len(lengths)))
+    least = max(1, min(least, count // len(lengths)))
     steps = numpy.maximum(least, numpy.ceil((count - 1) * lengths / lengths.sum()).astype(int))
+    steps += (steps > 1) & (steps % 2 == 1)
     inside = [numpy.linspace(a, b, n, endpoint=False)
               for a, b, n in zip(knots[:-1], knots[1:], steps)]
     return numpy.append(numpy.concatenate(inside), knots[-1])

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _COMB_SHARE = 0.2  # of the largest side of the path's box: the longest tooth by default
+_CURVED_SAMPLES, _CURVED_LEAST = 1600, 64  # curvature varies more than the path itself
 _ARROW_SHAFT = 1e-3  # of the extent: an arrow is all head
 _EDGE_ON = 0.05  # a tangent whose projection is shorter has no arrow head
 _AXIS_SHARE = 0.08  # the same, for the axes of frames
@@ -79,6 +80,9 @@ def _curvature_vectors(path: _core.Path, at: numpy.ndarray) -> numpy.ndarray:
     """The curvature times the normal towards the centre, (n, d)."""
     first, second = (_core.derivatives(path, at, order) for order in (1, 2))
     squared = numpy.sum(first * first, axis=-1, keepdims=True)
+    if numpy.any(squared == 0.0):
+        raise _drawing.refuse(f"the path stands still at xi = {at[squared[:, 0] == 0.0][0]}, where "
+                              "it has no curvature", "path")
     along = numpy.sum(first * second, axis=-1, keepdims=True) / squared
     return (second - along * first) / squared
 
@@ -101,6 +105,8 @@ def curvature_comb(path: Any, ax: Axes | None = None, *, scale: float | None = N
     largest = float(numpy.linalg.norm(bends, axis=-1).max())
     if scale is None:
         scale = _COMB_SHARE * _extent(points) / largest if largest > 0.0 else 1.0
+    if teeth < 1:
+        raise _drawing.refuse(f"a comb has one tooth at least, not {teeth}", "teeth")
     at = _drawing.even_parameters(path, teeth)
     feet = path.position(at)
     ends = feet - scale * _curvature_vectors(path, at)
@@ -116,7 +122,7 @@ def curvature_comb(path: Any, ax: Axes | None = None, *, scale: float | None = N
 
 def _one_sided_parameters(path: _core.Path) -> numpy.ndarray:
     """parameters(), with every inner knot once from each side."""
-    xi = _drawing.parameters(path)
+    xi = _drawing.parameters(path, _CURVED_SAMPLES, _CURVED_LEAST)
     inner = numpy.isin(xi, numpy.asarray(path.knots)[1:-1])
     repeated = numpy.repeat(xi, 1 + inner)
     first = numpy.flatnonzero(inner) + numpy.arange(inner.sum())
@@ -124,15 +130,26 @@ def _one_sided_parameters(path: _core.Path) -> numpy.ndarray:
     return repeated
 
 
+def _frame_of(path: _core.Path, frame: Any) -> Callable[[numpy.ndarray], numpy.ndarray]:
+    if frame is None:
+        return lambda xi: _core.euler_rodrigues_frame(path, xi)
+    if callable(frame):
+        return frame
+    if not isinstance(frame, _core.FrameRoll):
+        raise _drawing.refuse(f"`frame` is a FrameRoll or a callable, not {type(frame).__name__}",
+                              "frame")
+    return _core.RolledFrames(path, frame).at
+
+
 def frames(path: Any, ax: Axes | None = None, *,
-           frame: Callable[[numpy.ndarray], numpy.ndarray] | None = None, count: int = 40,
+           frame: Any = None, count: int = 40,
            length: float | None = None, which: Sequence[int] = (1, 2, 3),
            plane: str | None = None, colours: Sequence[Any] = _drawing.FRAME_COLOURS,
            draw_path: bool = True, unit: str = "", **lines: Any) -> Axes:
     """Draws frames of a path at ``count`` points evenly spaced along it.
 
-    ``frame`` is a callable from parameters (n,) to matrices (n, d, d) with the axes as columns; by
-    default it is the Euler-Rodrigues frame. ``which`` are the axes drawn: 1 is the tangent.
+    ``frame`` is a FrameRoll, or a callable from parameters (n,) to matrices (n, d, d) with the axes
+    as columns; by default it is the Euler-Rodrigues frame. ``which`` are the axes drawn: 1 is the tangent.
     ``length`` is theirs, by default a twelfth of the path's extent; further keyword arguments go
     to the collections of lines.
     """
@@ -147,8 +164,7 @@ def frames(path: Any, ax: Axes | None = None, *,
     ax = _drawing.spatial_axes(ax, path.dimension, shown)
     points = path.position(_drawing.parameters(path))
     at = _drawing.even_parameters(path, count)
-    of_path = frame if frame is not None else lambda xi: _core.euler_rodrigues_frame(path, xi)
-    matrices = numpy.asarray(of_path(at), dtype=float)
+    matrices = numpy.asarray(_frame_of(path, frame)(at), dtype=float)
     if matrices.shape != (len(at), path.dimension, path.dimension):
         raise _drawing.refuse(f"`frame` returns an array of shape ({len(at)}, {path.dimension}, "
                               f"{path.dimension}) here, not {matrices.shape}", "frame")

@@ -72,7 +72,7 @@ def profile(path: Any, quantity: str | Callable[[numpy.ndarray], numpy.ndarray] 
     left = numpy.flatnonzero(numpy.isin(xi, numpy.asarray(path.knots)[1:-1])) - 1
     size = numpy.ptp(values, axis=0)
     jumps = numpy.abs(values[left + 1] - values[left]) > _JUMP * size
-    breaks = left[numpy.any(jumps.reshape(len(left), -1), axis=1)] + 1
+    breaks = left[jumps if jumps.ndim == 1 else jumps.any(axis=1)] + 1
     along = numpy.insert(along, breaks, numpy.nan)
     values = numpy.insert(values, breaks, numpy.nan, axis=0)
     table = values.reshape(len(along), -1)

@@ -34,7 +34,9 @@ def _triangles(mesh: Any, faces: Any) -> numpy.ndarray:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or faces.ndim != 2 or faces.shape[1] != 3:
         raise _drawing.refuse(f"vertices have shape (n, 3) and faces (m, 3), not {vertices.shape} "
                               f"and {faces.shape}", "mesh")
-    if faces.size and not 0 <= faces.min() <= faces.max() < len(vertices):
+    if not len(faces):
+        raise _drawing.refuse("a surface has one triangle at least", "faces")
+    if not 0 <= faces.min() <= faces.max() < len(vertices):
         raise _drawing.refuse(f"faces name vertices 0 to {len(vertices) - 1}, not {faces.min()} to "
                               f"{faces.max()}", "faces")
     return vertices[faces]
@@ -67,8 +69,8 @@ def surface(mesh: Any, ax: Axes | None = None, *, faces: Any = None,
     shade = _DARKEST + (_BRIGHTEST - _DARKEST) * lit
     base = numpy.where(front[:, None], to_rgb(color), to_rgb(back_color))
     colours = base * shade[:, None]
+    had_data = ax.has_data()
     ax.add_collection3d(Poly3DCollection(corners, **{
         "facecolors": colours, "edgecolors": colours, "linewidths": 0.25, **options}))
-    if len(corners):
-        ax.auto_scale_xyz(*(corners[..., i].ravel() for i in range(3)), had_data=ax.has_data())
+    ax.auto_scale_xyz(*(corners[..., i].ravel() for i in range(3)), had_data=had_data)
     return _drawing.finished(ax, None, unit)

@@ -31,7 +31,7 @@ def _motions(vehicles: Any) -> tuple[list[Any], list[str], list[float]]:
 
 
 def _places(motion: Any, times: numpy.ndarray) -> numpy.ndarray:
-    return numpy.array([motion.position(float(t)) for t in times])
+    return numpy.asarray(motion.position(times), dtype=float)
 
 
 def swarm(vehicles: Any, ax: Axes | None = None, *, time: float | None = None,

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _SOLID, _EDGE, _OUTSIDE = "#d9dfe5", "#8b99a6", "#f3f5f7"
 _SAME_PEAK = 1e-3  # of the largest curvature: peaks so near to it have their circle, too
+_PEAK_SAMPLES, _PEAK_LEAST = 16000, 256
 
 
 def _ring(points: Any) -> numpy.ndarray:
@@ -102,7 +103,9 @@ def turn_circles(path: Any, ax: Axes | None = None, *, radius: float | None = No
     """
     path = _drawing.a_path(path, spatial=False)
     ax = _drawing.axes_for(ax, spatial=False)
-    xi = _drawing.parameters(path, 4000)
+    if radius is not None and not radius > 0.0:
+        raise _drawing.refuse(f"the radius is positive, not {radius}", "radius")
+    xi = _drawing.parameters(path, _PEAK_SAMPLES, _PEAK_LEAST)
     curvature = _core.curvature(path, xi)
     size = numpy.abs(curvature)
     peak = numpy.flatnonzero((size >= (1.0 - _SAME_PEAK) * size.max()) & (size > 0.0)
