@@ -35,7 +35,7 @@ def draw():
         print(f"{name}: " + ", ".join(f"{n}: {e:.2e}" for n, e in zip(counts[told], errors[told])))
         print(f"{name}: orders "
               + ", ".join(f"{o:.2f}" for o in plots.orders(counts, errors)[told]))
-    ax.set_ylim(1e-13, 10)
+    ax.set_ylim(1e-14, 10)
     legend(ax)
     return made
 

@@ -24,8 +24,8 @@ def draw():
     shades = plots.shades(len(lengths))
     for length, colour in zip(lengths, shades):
         path = of_length(length)
-        plots.path(path, left, color=colour, label=f"S = {length:.1f}")
-        plots.profile(path, ax=right, relative=True, color=colour)
+        plots.path(path, left, color=colour)
+        plots.profile(path, ax=right, relative=True, color=colour, label=f"S = {length:.1f}")
         s = path.parameter_at_arc_length(np.linspace(0.0, path.arc_length(), 2001))
         kappa = np.abs(hodograph.curvature(path, s))
         where = "at an end" if kappa.argmax() in (0, 2000) else "inside"
