@@ -19,6 +19,7 @@ from hodograph import plots
 ROOT = Path(__file__).resolve().parents[2]
 BLUE, ORANGE, GREEN, PURPLE, GOLD, GREY = plots.COLOURS
 FRAME = plots.FRAME_COLOURS
+INK, PALE = "#1b2733", "#b9c3cc"
 _DPI = 130
 
 
@@ -35,16 +36,22 @@ def figure(rows=1, columns=1, *, width=9.0, height=4.0, spatial=(), **grid):
 
 
 def title(ax, text):
-    """A small heading of axes, at their left."""
-    if plots._drawing.is_spatial(ax):
-        ax.set_title(text, fontsize=9, color=plots._drawing.INK, pad=-4)
+    """A small heading of axes, in the plane at their left."""
+    if ax.name == "3d":
+        ax.set_title(text, fontsize=9, color=INK, pad=-4)
     else:
-        ax.set_title(text, loc="left", fontsize=9, color=plots._drawing.INK)
+        ax.set_title(text, loc="left", fontsize=9, color=INK)
+
+
+def strokes(ax, begin, end, **line):
+    """Straight strokes between points (n, d) as one line."""
+    gap = np.full_like(begin, np.nan)
+    ax.plot(*np.stack([begin, end, gap], axis=1).reshape(-1, begin.shape[1]).T, **line)
 
 
 def legend(ax, **options):
     """A legend without a box."""
-    return ax.legend(**{"fontsize": 8, "frameon": False, "labelcolor": plots._drawing.INK,
+    return ax.legend(**{"fontsize": 8, "frameon": False, "labelcolor": INK,
                         "handlelength": 1.6, **options})
 
 

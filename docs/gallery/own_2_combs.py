@@ -8,7 +8,7 @@ its length is exact.
 """
 
 import numpy as np
-from gallery import BLUE, GREY, ORANGE, figure, save, title
+from gallery import BLUE, GREY, ORANGE, figure, save, strokes, title
 from scipy.interpolate import CubicSpline
 
 import hodograph
@@ -30,8 +30,7 @@ def draw():
     tips = r - _SCALE * (kappa / speed)[:, None] * np.stack([-v[:, 1], v[:, 0]], axis=1)
     below.plot(*r.T, color=BLUE)
     below.plot(*tips.T, color=ORANGE, linewidth=1.0)
-    for foot, tip in zip(r[::6], tips[::6]):
-        below.plot(*np.transpose([foot, tip]), color=ORANGE, linewidth=0.5, alpha=0.6)
+    strokes(below, r[::6], tips[::6], color=ORANGE, linewidth=0.5, alpha=0.6)
     below.set_aspect("equal")
     for ax, name in ((above, "PH quintics"), (below, "cubics")):
         ax.plot(*_POINTS.T, "o", color=GREY, markersize=4, zorder=4)

@@ -287,6 +287,19 @@ class Refusals(unittest.TestCase):
                 plots.path(_PLANAR)
 
 
+class Looks(unittest.TestCase):
+    def test_shades_are_so_many_distinct_colours(self):
+        for count in (1, 2, 5, 20):
+            shades = plots.shades(count)
+            self.assertEqual(len(set(shades)), count)
+            self.assertTrue(all(0.0 <= part <= 1.0 for colour in shades for part in colour))
+
+    def test_flat_data_in_space_keep_a_box_with_sides(self):
+        ax = plots.path(hodograph.lifted(_PLANAR), _axes(True))
+        self.assertGreater(min(ax._box_aspect), 0.0)
+        self.assertLess(ax.get_zlim()[0], 0.0)
+
+
 class Manners(unittest.TestCase):
     def test_nothing_global_changes_and_pyplot_makes_new_axes_only(self):
         from matplotlib import pyplot

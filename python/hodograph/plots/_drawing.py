@@ -140,7 +140,7 @@ def coordinate_names(ax: Axes, shown: tuple[int, int] | None) -> list[str]:
 
 
 def equal_scales(ax: Axes) -> None:
-    """The same length for one unit on every axis."""
+    """Gives axes the same length for one unit on every axis; in space the box fits the limits."""
     if not is_spatial(ax):
         ax.set_aspect("equal", adjustable="box")
         return
