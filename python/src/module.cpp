@@ -7,10 +7,27 @@ PYBIND11_MODULE(_core, m) {
   m.doc() = "Pythagorean-hodograph curves, paths and frames: the compiled part of hodograph.";
   bind_foundation(m);
   bind_path(m);
+  bind_bounds(m);
+  bind_planar_analysis(m);
   bind_path_operations(m);
   bind_frame(m);
+  bind_roll(m);
+  bind_continuity(m);
+  bind_rational_bezier(m);
+  bind_offset(m);
+  bind_sweep(m);
+  bind_mesh(m);
   bind_spatial_construction(m);
   bind_planar_construction(m);
   bind_fit(m);
+  bind_timing(m);
+  bind_world(m);
+  bind_planning(m);
+  bind_plan(m);
+  bind_motion(m);
+  bind_swarm(m);
+  bind_document(m);
+  bind_mission(m);
+  bind_picture(m);
   bind_io(m);
 }
