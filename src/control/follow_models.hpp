@@ -3,8 +3,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
+#include <vector>
 
 #include "hodograph/control/multiple_shooting.hpp"
 #include "hodograph/control/path_coordinates.hpp"
@@ -116,10 +119,29 @@ struct Glider {
   }
 };
 
+/// Numbers without derivatives, as any scalar.
+template <class S>
+ReferenceValue<Complex<double>, S> constants(const ReferenceValue<Complex<double>, double>& at) {
+  const auto vector = [](const Vector2<double>& v) { return Vector2<S>{S(v.x), S(v.y)}; };
+  return {vector(at.position),
+          {vector(at.frame.e1), vector(at.frame.e2)},
+          S(at.body_rate),
+          S(at.speed)};
+}
+template <class S>
+ReferenceValue<Quaternion<double>, S> constants(
+    const ReferenceValue<Quaternion<double>, double>& at) {
+  const auto vector = [](const Vector3<double>& v) { return Vector3<S>{S(v.x), S(v.y), S(v.z)}; };
+  return {vector(at.position),
+          {vector(at.frame.e1), vector(at.frame.e2), vector(at.frame.e3)},
+          vector(at.body_rate),
+          S(at.speed)};
+}
+
 /// A vehicle over a stretch of a path. With time independent the state is the vehicle's and the
 /// parameter the duration T; with ξ independent the time t takes the place of ξ:
 /// dt/dξ = 1/ξ̇, dx/dξ = ẋ/ξ̇.
-template <class Vehicle, bool by_progress>
+template <class Vehicle, bool by_progress, class Path = ReferencePath<typename Vehicle::A>>
 struct FollowModel {
   static constexpr std::size_t states = Vehicle::states, controls = Vehicle::controls;
   static constexpr std::size_t parameters = by_progress ? 0 : 1;
@@ -132,17 +154,42 @@ struct FollowModel {
   template <class S>
   using Parameters = std::array<S, parameters>;
 
-  std::shared_ptr<const ReferencePath<typename Vehicle::A>> path;
+  std::shared_ptr<const Path> path;
   Vehicle vehicle;
   double intervals = 1.0, begin = 0.0, end = 1.0;  // of the progress
+  /// With ξ independent: the path at the nodes and halfway between them, where the Runge-Kutta
+  /// steps look, all evaluated once.
+  std::vector<ReferenceValue<typename Vehicle::A, double>> stages{};
   double time_weight = 1.0, progress_weight = 0.0, effort_weight = 0.0, centre_weight = 0.0;
+
+  /// The path's place at a share of the horizon.
+  ReferenceValue<typename Vehicle::A, double> at_stage(double tau) const {
+    const double place = 2.0 * intervals * tau, nearest = std::round(place);
+    constexpr double roundings = 8.0 * std::numeric_limits<double>::epsilon();
+    if (std::abs(place - nearest) <= roundings * nearest) {
+      return stages[static_cast<std::size_t>(nearest)];
+    }
+    return path->value(begin + tau * (end - begin));
+  }
+  void find_stages() {
+    const auto count = static_cast<std::size_t>(2.0 * intervals) + 1;
+    std::vector<double> places;
+    for (std::size_t i = 0; i < count; ++i) {
+      places.push_back(begin + static_cast<double>(i) / (2.0 * intervals) * (end - begin));
+    }
+    std::vector<ReferenceJet<typename Vehicle::A>> jets(count);
+    path->at(places, jets);
+    stages.clear();
+    for (const auto& jet : jets) {
+      stages.push_back({jet.position[0], jet.frame[0], jet.body_rate[0], jet.speed[0]});
+    }
+  }
 
   template <class S>
   State<S> derivative(double tau, const State<S>& x, const Control<S>& u,
                       const Parameters<S>& p) const {
     if constexpr (by_progress) {
-      const auto at = path->on(S(begin + tau * (end - begin)));
-      State<S> rates = vehicle.rates(at, x, u);
+      State<S> rates = vehicle.rates(constants<S>(at_stage(tau)), x, u);
       const S slowness = (end - begin) / rates[0];
       rates[0] = slowness;
       for (std::size_t i = 1; i < states; ++i) rates[i] = slowness * rates[i];
@@ -181,8 +228,7 @@ struct FollowModel {
     std::array<S, path_constraints> all;
     for (std::size_t i = 0; i < own.size(); ++i) all[i] = own[i];
     if constexpr (by_progress) {
-      const double tau = static_cast<double>(k) / intervals;
-      all[own.size()] = vehicle.forward(path->on(S(begin + tau * (end - begin))), x);
+      all[own.size()] = vehicle.forward(constants<S>(stages[2 * k]), x);
     }
     return all;
   }

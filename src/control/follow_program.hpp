@@ -222,20 +222,26 @@ class FollowProgram {
     SpeedProfile profile;
     const std::size_t count = 10 * options_.intervals;
     const double step = (stretch_.end - begin_) / static_cast<double>(count);
+    std::vector<double> places;
     for (std::size_t i = 0; i <= count; ++i) {
-      const double place = begin_ + static_cast<double>(i) * step;
-      const ReferenceValue<A, double> at = path_->value(place);
+      places.push_back(begin_ + static_cast<double>(i) * step);
+    }
+    std::vector<ReferenceJet<A>> jets(places.size());
+    path_->at(places, jets);
+    for (std::size_t i = 0; i <= count; ++i) {
+      const auto& rate = jets[i].body_rate[0];
+      const double sigma = jets[i].speed[0];
       double turning = 0.0;
       if constexpr (planar) {
-        turning = std::abs(at.body_rate);
+        turning = std::abs(rate);
       } else {
-        turning = std::hypot(at.body_rate.y, at.body_rate.z);
+        turning = std::hypot(rate.y, rate.z);
       }
       double speed = share * limits_.speed;
       if (turning > 0.0) {
-        speed = std::min(speed, std::sqrt(share * sideways * at.speed / turning));
+        speed = std::min(speed, std::sqrt(share * sideways * sigma / turning));
       }
-      profile.add(place, i == 0 ? 0.0 : step * at.speed, speed);
+      profile.add(places[i], i == 0 ? 0.0 : step * sigma, speed);
     }
     profile.limit(start_speed(), options_.end_speed, share * limits_.acceleration, share * braking);
     if (options_.aim == FollowAim::most_progress) profile.cut(options_.duration);
@@ -249,6 +255,7 @@ class FollowProgram {
     begin_ = stretch_.begin;
     model.begin = stretch_.begin;
     model.end = stretch_.end;
+    if constexpr (by_progress) model.find_stages();
     if constexpr (planar) {
       double bend = stretch_.bend;
       if (std::isfinite(limits_.lateral_acceleration)) {

@@ -8,95 +8,15 @@
 #include <memory>
 
 #include "ascent_solving.hpp"
+#include "framed_model.hpp"
 #include "hodograph/control/path_coordinates.hpp"
-#include "powered_model.hpp"
 
 namespace hodograph {
 namespace {
 
+using ascent_detail::FramedModel;
 using ascent_detail::PoweredModel;
-using A = Quaternion<double>;
-using OrbitPath = ReferencePath<A>;
-
-/// x = (ξ, η₂, η₃, v), u the thrust, the parameter T.
-struct FramedModel {
-  static constexpr std::size_t states = 6, controls = 3, parameters = 1;
-  static constexpr std::size_t path_constraints = 2, end_constraints = 3;
-  template <class S>
-  using State = std::array<S, states>;
-  template <class S>
-  using Control = std::array<S, controls>;
-  template <class S>
-  using Parameters = std::array<S, parameters>;
-
-  PoweredModel motion;
-  std::shared_ptr<const OrbitPath> path;
-
-  /// Everything but the thrust, a function of the state alone.
-  template <class S>
-  State<S> drift(const State<S>& x) const {
-    const ReferenceValue<A, S> at = path->on(x[0]);
-    const std::array<S, 2> eta{x[1], x[2]};
-    const Vector3<S> v{x[3], x[4], x[5]};
-    const std::array<S, 3> rates = coordinate_rates(at, eta, v);
-    const Vector3<S> place = place_of(at, eta);
-    const State<S> slope =
-        motion.motion(State<S>{place.x, place.y, place.z, v.x, v.y, v.z}, Control<S>{});
-    return {rates[0], rates[1], rates[2], slope[3], slope[4], slope[5]};
-  }
-  template <class S>
-  State<S> derivative(double, const State<S>& x, const Control<S>& u,
-                      const Parameters<S>& p) const {
-    State<S> slope = evaluated_apart([this](const auto& y) { return this->drift(y); }, x);
-    for (std::size_t i = 0; i < controls; ++i) slope[3 + i] += u[i];
-    for (S& component : slope) component = p[0] * component;
-    return slope;
-  }
-  template <class S>
-  S stage_cost(std::size_t k, const State<S>& x, const Control<S>& u,
-               const Parameters<S>& p) const {
-    return motion.stage_cost(k, x, u, std::array<S, 2>{p[0], S(0.0)});
-  }
-  template <class S>
-  S end_cost(const State<S>& x, const Parameters<S>& p) const {
-    return motion.end_cost(x, std::array<S, 2>{p[0], S(0.0)});
-  }
-  /// |r|² and |u|².
-  template <class S>
-  std::array<S, 2> path_values(std::size_t, const State<S>& x, const Control<S>& u,
-                               const Parameters<S>&) const {
-    const auto square = evaluated_apart(
-        [this]<class T>(const std::array<T, 3>& y) {
-          const Vector3<T> place = place_of(path->on(y[0]), std::array<T, 2>{y[1], y[2]});
-          return std::array<T, 1>{dot(place, place)};
-        },
-        std::array<S, 3>{x[0], x[1], x[2]});
-    return {square[0], u[0] * u[0] + u[1] * u[1] + u[2] * u[2]};
-  }
-  /// The velocity less the orbit's.
-  template <class S>
-  std::array<S, 3> end_values(const State<S>& x, const Parameters<S>&) const {
-    const ReferenceValue<A, S> at = path->on(x[0]);
-    return {x[3] - at.speed * at.frame.e1.x, x[4] - at.speed * at.frame.e1.y,
-            x[5] - at.speed * at.frame.e1.z};
-  }
-};
-
-/// The orbit's path from the Moon's centre, in 1000 km, its knots in 1000 s.
-Result<OrbitPath> scaled_path(const AscentReference& reference, const PoweredModel& model) {
-  PathNumbers numbers = AnyPath(reference.path()).numbers();
-  const double period = reference.period_s() / 1000.0, length = model.units.length;
-  const Vector3<double> moon = reference.moon();
-  numbers.closed = false;  // its frame does not close
-  for (double& knot : numbers.knots) knot *= period;
-  for (std::size_t i = 0; i < numbers.starts.size(); ++i) {
-    numbers.starts[i] = length * (numbers.starts[i] - moon[i % 3]);
-  }
-  for (double& a : numbers.preimages) a *= std::sqrt(length / period);
-  auto path = AnyPath::create(numbers);
-  if (!path) return path.fault();
-  return OrbitPath::of(*path);
-}
+using OrbitPath = ReferencePath<Quaternion<double>>;
 
 /// ξ and η of a point: the nearest place of the path between two, then Newton's method.
 std::array<double, 3> coordinates_of(const OrbitPath& path, const Vector3<double>& point,
@@ -135,10 +55,12 @@ Result<PoweredAscent> powered_ascent_along_path(const AscentReference& reference
   const bool least_time = options.objective == PoweredObjective::least_time;
   const PoweredModel motion{reference, ascent_detail::PoweredUnits(reference.orbit().system),
                             least_time, intervals};
-  auto scaled = scaled_path(reference, motion);
+  const auto scaled = ascent_detail::path_from_the_moon(reference, motion);
   if (!scaled) return scaled.fault();
-  const auto path = std::make_shared<const OrbitPath>(*std::move(scaled));
-  MultipleShooting<FramedModel> program({motion, path}, count);
+  auto made = OrbitPath::of(*scaled);
+  if (!made) return made.fault();
+  const auto path = std::make_shared<const OrbitPath>(*std::move(made));
+  MultipleShooting<FramedModel<>> program({motion, path}, count);
 
   const double radius = options.surface_km / 1000.0;
   const double lowest = radius + options.margin_km / 1000.0, limit = options.thrust_limit_m_s2;

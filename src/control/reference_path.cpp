@@ -7,6 +7,7 @@
 
 #include "hodograph/foundation/accuracy.hpp"
 #include "path_coefficients.hpp"
+#include "reference_jet.hpp"
 
 namespace hodograph {
 namespace {
@@ -57,7 +58,23 @@ bool frame_closes(const PathNumbers& numbers) {
   return std::min(same, opposite) <= accuracy::join_error<double>() * size;
 }
 
+/// Which segment a number lies in, between the marks of the segments' ends; outside them the first
+/// or the last. Looked for from `near` on, a few segments.
+std::size_t segment_of(double progress, const std::vector<double>& marks, std::size_t near) {
+  const std::size_t last = marks.size() - 2;
+  if (near == 0 || marks[near] <= progress) {
+    constexpr std::size_t few = 4;
+    for (std::size_t k = near; k <= std::min(last, near + few); ++k) {
+      if (progress < marks[k + 1]) return k;
+    }
+  }
+  const auto after = std::upper_bound(marks.begin() + 1, marks.end() - 1, progress);
+  return static_cast<std::size_t>(after - marks.begin()) - 1;
+}
+
 }  // namespace
+
+using control_detail::row;
 
 template <class A>
 Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path, ProgressBy progress) {
@@ -82,27 +99,25 @@ Result<ReferencePath<A>> ReferencePath<A>::of(const AnyPath& path, ProgressBy pr
   const std::size_t segments = path.segment_count(), m = 2 * n + 1;
   const auto of_preimage = powers_from_bernstein(n), of_position = powers_from_bernstein(m);
   for (std::size_t s = 0; s < segments; ++s) {
+    result.inverses_.push_back(2.0 / (numbers.knots[s + 1] - numbers.knots[s]));
     const double* const preimage = numbers.preimages.data() + s * (n + 1) * components<A>;
     const double* const integral = integrals.data() + s * (m + 1) * (dimension + 1);
     for (std::size_t k = 0; k <= n; ++k) {
-      A a{};
+      std::array<double, row> a{};
       for (std::size_t i = 0; i < components<A>; ++i) {
         a[i] = power_coefficient(of_preimage, n, k,
                                  [&](std::size_t j) { return preimage[j * components<A> + i]; });
       }
-      result.preimage_.push_back(a);
+      result.preimages_.insert(result.preimages_.end(), a.begin(), a.end());
     }
     for (std::size_t k = 0; k <= m; ++k) {
-      point_t<A> p{};
-      for (std::size_t i = 0; i < dimension; ++i) {
+      std::array<double, row> p{};
+      for (std::size_t i = 0; i <= dimension; ++i) {
         p[i] = power_coefficient(of_position, m, k,
                                  [&](std::size_t j) { return integral[j * (dimension + 1) + i]; });
-        if (k == 0) p[i] += numbers.starts[s * dimension + i];
+        if (k == 0 && i < dimension) p[i] += numbers.starts[s * dimension + i];
       }
-      result.positions_.push_back(p);
-      result.lengths_.push_back(power_coefficient(of_position, m, k, [&](std::size_t j) {
-        return integral[j * (dimension + 1) + dimension];
-      }));
+      result.integrals_.insert(result.integrals_.end(), p.begin(), p.end());
     }
   }
   return result;
@@ -117,24 +132,23 @@ double ReferencePath<A>::periods(double progress, const std::vector<double>& mar
 template <class A>
 double ReferencePath<A>::length_at(std::size_t segment, double x, double* slope) const {
   const std::size_t m = 2 * degree_ + 1;
-  const double* const c = lengths_.data() + segment * (m + 1);
-  double value = c[m], derivative = 0.0;
+  const double* const c =
+      integrals_.data() + segment * (m + 1) * row + point_t<A>::dimension;  // of the first length
+  double value = c[m * row], derivative = 0.0;
   for (std::size_t k = m; k-- > 0;) {
     derivative = x * derivative + value;
-    value = x * value + c[k];
+    value = x * value + c[k * row];
   }
   if (slope != nullptr) *slope = derivative;
   return value;
 }
 
 template <class A>
-auto ReferencePath<A>::locate(double progress) const -> Place {
+auto ReferencePath<A>::locate(double progress, std::size_t near) const -> Place {
   progress -= periods(progress, begins_) * (begins_.back() - begins_.front());
-  const auto after = std::upper_bound(begins_.begin() + 1, begins_.end() - 1, progress);
-  const auto segment = static_cast<std::size_t>(after - begins_.begin()) - 1;
-  const double half = 0.5 * (knots_[segment + 1] - knots_[segment]);
-  const double into = progress - begins_[segment];
-  if (progress_by_ == ProgressBy::xi) return {segment, into / half - 1.0, half};
+  const std::size_t segment = segment_of(progress, begins_, near);
+  const double inverse = inverses_[segment], into = progress - begins_[segment];
+  if (progress_by_ == ProgressBy::xi) return {segment, into * inverse - 1.0, inverse};
   // From the evenly fast place; the speed of a segment is bounded, so a few steps settle. What lies
   // far beyond the ends is left to the first steps' straight lines.
   constexpr int most_steps = 30;
@@ -147,14 +161,14 @@ auto ReferencePath<A>::locate(double progress) const -> Place {
     x += move;
     if (std::abs(move) <= settled) break;
   }
-  return {segment, x, half};
+  return {segment, x, inverse};
 }
 
 template <class A>
 double ReferencePath<A>::xi_of(double progress) const {
   if (progress_by_ == ProgressBy::xi) return progress;
   const Place at = locate(progress);
-  return knots_[at.segment] + at.half * (1.0 + at.x) +
+  return knots_[at.segment] + (1.0 + at.x) / at.inverse +
          periods(progress, begins_) * (knots_.back() - knots_.front());
 }
 
@@ -163,8 +177,7 @@ double ReferencePath<A>::progress_of(double xi) const {
   if (progress_by_ == ProgressBy::xi) return xi;
   const double laps = periods(xi, knots_);
   const double within = xi - laps * (knots_.back() - knots_.front());
-  const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, within);
-  const auto segment = static_cast<std::size_t>(after - knots_.begin()) - 1;
+  const std::size_t segment = segment_of(within, knots_, 0);
   const double x = 2.0 * (within - knots_[segment]) / (knots_[segment + 1] - knots_[segment]) - 1.0;
   return begins_[segment] + length_at(segment, x, nullptr) +
          laps * (begins_.back() - begins_.front());
@@ -173,16 +186,21 @@ double ReferencePath<A>::progress_of(double xi) const {
 template <class A>
 template <std::size_t K>
 PreimageJet<A, K> ReferencePath<A>::preimage_jet(const Place& at) const {
-  const A* const c = preimage_.data() + at.segment * (degree_ + 1);
+  const double* const c = preimages_.data() + at.segment * (degree_ + 1) * row;
+  const auto coefficient = [c](std::size_t k) {
+    A a;
+    for (std::size_t i = 0; i < A::dimension; ++i) a[i] = c[k * row + i];
+    return a;
+  };
   PreimageJet<A, K> jet{};
-  jet[0] = c[degree_];
+  jet[0] = coefficient(degree_);
   for (std::size_t k = degree_; k-- > 0;) {  // Horner's rule, for the Taylor coefficients
     for (std::size_t r = K; r > 0; --r) jet[r] = at.x * jet[r] + jet[r - 1];
-    jet[0] = at.x * jet[0] + c[k];
+    jet[0] = at.x * jet[0] + coefficient(k);
   }
-  double scale = 1.0;
+  double scale = at.inverse;
   for (std::size_t r = 1; r <= K; ++r) {
-    scale *= static_cast<double>(r) / at.half;
+    if (r > 1) scale *= static_cast<double>(r) * at.inverse;
     jet[r] = scale * jet[r];
   }
   return jet;
@@ -191,33 +209,19 @@ PreimageJet<A, K> ReferencePath<A>::preimage_jet(const Place& at) const {
 template <class A>
 point_t<A> ReferencePath<A>::position(const Place& at) const {
   const std::size_t m = 2 * degree_ + 1;
-  const point_t<A>* const c = positions_.data() + at.segment * (m + 1);
-  point_t<A> p = c[m];
-  for (std::size_t k = m; k-- > 0;) p = at.x * p + c[k];
+  const double* const c = integrals_.data() + at.segment * (m + 1) * row;
+  point_t<A> p;
+  for (std::size_t i = 0; i < p.dimension; ++i) p[i] = c[m * row + i];
+  for (std::size_t k = m; k-- > 0;) {
+    for (std::size_t i = 0; i < p.dimension; ++i) p[i] = at.x * p[i] + c[k * row + i];
+  }
   return p;
 }
 
 template <class A>
 ReferenceJet<A> ReferencePath<A>::at(double progress) const {
   const Place place = locate(progress);
-  const PreimageJet<A, 3> jet = preimage_jet<3>(place);
-  ReferenceJet<A> result;
-  const frame_t<A> frame = euler_rodrigues_frame(jet);
-  if (progress_by_ == ProgressBy::xi) {
-    result.body_rate = body_rate_per_xi(jet);
-    result.speed = speed_derivatives(PreimageJet<A, 2>{jet[0], jet[1], jet[2]});
-    const auto hodographs = hodograph_derivatives(PreimageJet<A, 1>{jet[0], jet[1]});
-    result.position = {position(place), hodographs[0], hodographs[1]};
-  } else {
-    result.body_rate = body_rate_per_arc_length(jet);
-    result.speed = {1.0, 0.0, 0.0};
-  }
-  result.frame =
-      frame_derivatives(frame, std::array<rate_t<A>, 2>{result.body_rate[0], result.body_rate[1]});
-  if (progress_by_ == ProgressBy::arc_length) {
-    result.position = {position(place), result.frame[0].e1, result.frame[1].e1};
-  }
-  return result;
+  return control_detail::reference_jet(preimage_jet<3>(place), position(place), progress_by_);
 }
 
 template <class A>

@@ -106,6 +106,47 @@ TEST(ReferencePath, ByArcLengthItsDerivativesAreThoseByArcLength) {
   }
 }
 
+/// All places at once as one by one, bit for bit: any number of them, in any order, on few segments
+/// and on many, beyond the ends and round a closed path.
+template <class A>
+void expect_batch_as_single(const AnyPath& path, ProgressBy by, test::Random& random) {
+  const auto reference = ReferencePath<A>::of(path, by).value();
+  const double length = reference.end() - reference.begin();
+  for (const std::size_t count : {0U, 1U, 2U, 7U, 8U, 9U, 40U, 300U}) {
+    for (const double share : {0.05, 1.0, 1.2}) {
+      std::vector<double> places;
+      for (std::size_t i = 0; i < count; ++i) {
+        places.push_back(reference.begin() +
+                         length * random.uniform(0.5 - 0.5 * share, 0.5 * (1 + share)));
+      }
+      if (random.uniform(0, 1) < 0.5) std::sort(places.begin(), places.end());
+      std::vector<ReferenceJet<A>> jets(count);
+      reference.at(places, jets);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto single = reference.at(places[i]);
+        for (std::size_t r = 0; r < 3; ++r) {
+          EXPECT_EQ(numbers_of(jets[i], r), numbers_of(single, r)) << i << " of " << count;
+        }
+      }
+    }
+  }
+}
+
+TEST(ReferencePath, ManyPlacesAtOnceHaveTheBitsOfEachAlone) {
+  test::Random random("reference batch");
+  for (const auto by : {ProgressBy::xi, ProgressBy::arc_length}) {
+    expect_batch_as_single<Quaternion<double>>(test::random_path<SpatialPath<4>>(random, 9), by,
+                                               random);
+    expect_batch_as_single<Quaternion<double>>(test::random_path<SpatialPath<8>>(random, 2), by,
+                                               random);
+    expect_batch_as_single<Complex<double>>(test::random_path<PlanarPath<2>>(random, 9), by,
+                                            random);
+    expect_batch_as_single<Complex<double>>(test::ring(6), by, random);
+    expect_batch_as_single<Complex<double>>(test::random_path<PlanarPath<0>>(random, 2), by,
+                                            random);
+  }
+}
+
 TEST(ReferencePath, RefusesAPathOfTheOtherDimension) {
   test::Random random("reference refused");
   const AnyPath plane = test::random_path<PlanarPath<2>>(random, 1);

@@ -64,7 +64,7 @@ class Pack {
 
   Pack() : lanes_{} {}
   /// The same number in every lane.
-  [[gnu::always_inline]] Pack(double x) : lanes_(Lanes{} + x) {}
+  [[gnu::always_inline]] Pack(double x) : lanes_(x - Lanes{}) {}  // x + 0 is not -0 for -0
   [[gnu::always_inline]] explicit Pack(Lanes x) : lanes_(x) {}
   [[gnu::always_inline]] static Pack load(const double* from) {
     Pack result;
