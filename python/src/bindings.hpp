@@ -25,7 +25,7 @@ void bind_timing(pybind11::module_& m);
 void bind_world(pybind11::module_& m);
 void bind_planning(pybind11::module_& m);
 void bind_plan(pybind11::module_& m);
-void bind_motion(pybind11::module_& m);
+void bind_timed_motion(pybind11::module_& m);
 void bind_swarm(pybind11::module_& m);
 void bind_document(pybind11::module_& m);
 void bind_mission(pybind11::module_& m);

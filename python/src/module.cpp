@@ -24,7 +24,7 @@ PYBIND11_MODULE(_core, m) {
   bind_world(m);
   bind_planning(m);
   bind_plan(m);
-  bind_motion(m);
+  bind_timed_motion(m);
   bind_swarm(m);
   bind_document(m);
   bind_mission(m);

@@ -76,10 +76,14 @@ class TimingLawBuilder {
     const double second = v + w > 0.0 ? distance * (w / (v + w)) : 0.0;
     // A law covers its length monotonically: a rounded sum never exceeds it.
     const double from = std::min(law_.length_, limit_);
-    law_.pieces_.push_back({time_, duration, from, first, second});
     law_.length_ += distance;
-    add_time(duration);
-    const double speed = 2.0 * (std::max(first, second) / duration);
+    add(TimingLaw::Piece{time_, duration, from, first, second});
+  }
+  /// A piece as it is.
+  void add(const TimingLaw::Piece& piece) {
+    law_.pieces_.push_back(piece);
+    add_time(piece.duration);
+    const double speed = 2.0 * (std::max(piece.first, piece.second) / piece.duration);
     law_.most_speed_ = std::max(law_.most_speed_, speed * rounded_up);
     law_.most_acceleration_ =
         std::max(law_.most_acceleration_, law_.acceleration_bound(law_.pieces_.size() - 1));
@@ -111,6 +115,7 @@ class TimingLawBuilder {
   }
   void limit(double length) { limit_ = length; }
   double length() const { return law_.length_; }
+  double time() const { return time_; }
   bool is_usable() const { return std::isfinite(time_) && time_ > 0.0; }
 
  private:
@@ -293,6 +298,52 @@ Result<TimingLaw> TimingLaw::from_speeds(std::span<const double> durations,
     return number_fault(
         FaultCode::outside_domain, "length", covered, length,
         "the speeds cover a length of " + to_text(covered) + ", not the path's " + to_text(length));
+  }
+  return builder.finish(length);
+}
+
+Result<TimingLaw> TimingLaw::from_pieces(std::span<const Piece> pieces, double length,
+                                         double start) {
+  if (auto fault = size_fault("length", length)) return *std::move(fault);
+  if (auto fault = time_fault(start)) return *std::move(fault);
+  if (pieces.empty()) {
+    return number_fault(FaultCode::too_few, "pieces", 0.0, 1.0,
+                        "a timing law has at least one piece; got none");
+  }
+  TimingLawBuilder builder(start);
+  const double allowed =
+      accuracy::join_error<double>() * static_cast<double>(pieces.size()) * length;
+  double end = 0.0;  // of the arc length so far
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
+    auto fault = size_fault("duration", piece.duration);
+    for (const double distance : {piece.first, piece.second}) {
+      if (!fault && !(distance >= 0.0 && distance <= largest_size)) {
+        fault = number_fault(FaultCode::outside_domain, "piece", distance, 0.0,
+                             "piece " + std::to_string(i) +
+                                 " should cover distances that are not negative; got " +
+                                 to_text(distance));
+      }
+    }
+    if (!fault && !(piece.begin == builder.time() && piece.arc_length >= 0.0 &&
+                    piece.arc_length <= length && std::abs(piece.arc_length - end) <= allowed)) {
+      fault = number_fault(FaultCode::outside_domain, "piece", piece.begin, builder.time(),
+                           "piece " + std::to_string(i) + " should begin at time " +
+                               to_text(builder.time()) + " and arc length " + to_text(end) +
+                               "; it begins at " + to_text(piece.begin) + " and " +
+                               to_text(piece.arc_length));
+    }
+    if (fault) {
+      fault->index = i;
+      return *std::move(fault);
+    }
+    builder.add(piece);
+    end = piece.arc_length + (piece.first + piece.second);
+  }
+  if (!(std::abs(end - length) <= allowed)) {
+    return number_fault(
+        FaultCode::outside_domain, "length", end, length,
+        "the pieces cover a length of " + to_text(end) + ", not " + to_text(length));
   }
   return builder.finish(length);
 }

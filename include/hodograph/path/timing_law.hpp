@@ -76,6 +76,13 @@ class TimingLaw {
                                        std::span<const double> speeds, double length,
                                        double start_time = 0.0);
 
+  /// From the pieces() of another law: the law that has them, equal in every number.
+  /// Faults: too_few (no piece), outside_domain (with the piece's index: durations that are not
+  /// positive, distances that are negative, a piece that does not begin where and when the one
+  /// before it ends, to within rounding).
+  static Result<TimingLaw> from_pieces(std::span<const Piece> pieces, double length,
+                                       double start_time = 0.0);
+
   double length() const { return length_; }
   double start_time() const { return start_; }
   double end_time() const { return start_ + duration_; }
