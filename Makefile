@@ -4,7 +4,7 @@
 
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help run test check check-format check-tidy check-sanitize check-rules bench table1 campaign api format clean
+.PHONY: help run test check check-format check-tidy check-sanitize check-rules bench table1 campaign docs api format clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /  make \1\t/p' Makefile | expand -t 22
@@ -54,6 +54,11 @@ campaign: ## run the long random campaigns (minutes)
 	@tools/install_packages test
 	@tools/build develop campaign
 	@build/develop/tests/campaign
+
+docs: ## build the documentation site: build/docs/html/index.html
+	@tools/install_packages docs
+	@tools/build release hodograph_python
+	@/usr/bin/python3 -B tools/build_docs.py build/release build/docs
 
 api: ## rewrite the type stubs and the lists of public names
 	@tools/install_packages test

@@ -1,31 +1,52 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every Python block of docs/python.md runs, and prints what the page says it prints.
+"""Every Python block of README.md and of docs/ runs, and prints what the page says it prints.
 
-A block's expected output stands after it in a block marked ```text; without one, only that it runs
-is tested.
+The blocks of a page are one conversation, in a folder of its own, where they may write files. What one prints stands after
+it in a block marked ```text; a block without one prints nothing. A picture that a page shows is drawn by one of its
+blocks. (The gallery has a test of its own, which makes its pages.)
 """
 
 import contextlib
 import io
 import re
+import tempfile
 import unittest
 from pathlib import Path
 
-_PAGE = Path(__file__).resolve().parents[2] / "docs" / "python.md"
-_BLOCK = re.compile(r"```python\n(.*?)```(?:\s*```text\n(.*?)```)?", re.DOTALL)
+import matplotlib
+
+matplotlib.use("Agg")
+
+_ROOT = Path(__file__).resolve().parents[2]
+_BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\s*^```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
+_PICTURE = re.compile(r"\]\(pictures/([^)]+)\)")
+
+
+def pages():
+    """The pages with Python in them, or pictures."""
+    everything = [_ROOT / "README.md", *sorted((_ROOT / "docs").rglob("*.md"))]
+    return [page for page in everything if page.parent.name != "gallery"
+            and re.search(r"^```python$|\]\(pictures/", page.read_text(encoding="utf-8"),
+                          re.MULTILINE)]
 
 
 class Documentation(unittest.TestCase):
     def test_its_examples_run_and_print_what_it_says(self):
-        blocks = _BLOCK.findall(_PAGE.read_text(encoding="utf-8"))
-        self.assertGreaterEqual(len(blocks), 1)
-        names = {}
-        for code, expected in blocks:
-            with contextlib.redirect_stdout(io.StringIO()) as printed:
-                exec(compile(code, str(_PAGE), "exec"), names)  # one page, one conversation
-            if expected:
-                self.assertEqual(printed.getvalue(), expected)
+        from matplotlib import pyplot
+        self.assertGreaterEqual(len(pages()), 10)
+        for page in pages():
+            text, names = page.read_text(encoding="utf-8"), {}
+            with tempfile.TemporaryDirectory() as folder, contextlib.chdir(folder):
+                for block in _BLOCK.finditer(text):
+                    line = text.count("\n", 0, block.start()) + 1
+                    with self.subTest(f"{page.relative_to(_ROOT)}:{line}"):
+                        with contextlib.redirect_stdout(io.StringIO()) as printed:
+                            exec(compile("\n" * line + block[1], str(page), "exec"), names)
+                        self.assertEqual(printed.getvalue(), block[2] or "")
+                drawn = {path.name for path in Path(folder).glob("*.png")}
+            pyplot.close("all")
+            self.assertEqual(set(_PICTURE.findall(text)) - drawn, set(), page)
 
 
 if __name__ == "__main__":
