@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Order ten against order six
 
-Errors of C⁴ paths through the Hermite data of curve (23) on 2ⁿ segments: the paper's choice of the free
-parameters, of order six, and this library's, whose end frames are rotation-minimising and which has no mean
-twist, of order ten. Dashed, lines of exactly these orders.
+Errors of C⁴ paths through the Hermite data of curve (23) on 2ⁿ segments: the paper's choice of the
+free parameters, of order six, and this library's, whose end frames are rotation-minimising and
+which has no mean twist, of order ten. Dashed, lines of exactly these orders.
 """
 
 import numpy as np

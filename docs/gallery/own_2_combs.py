@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """A PH spline against the cubic spline
 
-The same seven points through the C² spline of PH quintics and through SciPy's C² cubic spline, with their
-curvature combs at one scale. Both are C²; the PH spline bends more evenly, less than half as sharply, and
-its length is exact.
+The same seven points through the C² spline of PH quintics and through SciPy's C² cubic spline, with
+their curvature combs at one scale. Both are C²; the PH spline bends more evenly, less than half as
+sharply, and its length is exact.
 """
 
 import numpy as np

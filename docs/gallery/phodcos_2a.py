@@ -28,7 +28,8 @@ def draw():
                                       choice=hodograph.HermiteChoice.order_six)
         at = np.linspace(0.0, 1.0, _PER_SEGMENT * count + 1)
         error = largest_difference(path.position(at), points(at))
-        print(f"{count} segment{'s' if count > 1 else ''}: error {error:.4g}, length {path.arc_length():.4f}")
+        name = f"{count} segment{'s' if count > 1 else ''}"
+        print(f"{name}: error {error:.4g}, length {path.arc_length():.4f}")
         for row, plane in enumerate((None, "xz", "xy")):
             ax = axes[3 * row + k]
             shown = whole.T if plane is None else whole[:, ["xyz".index(c) for c in plane]].T
@@ -37,7 +38,7 @@ def draw():
             plots.frames(path, ax, count=110, length=0.32, plane=plane, linewidths=0.6)
         view(axes[k], 22, -62, 1.3)
         bare(axes[k])
-        title(axes[k], f"{count} segment{'s' if count > 1 else ''}, error {error:.3g}")
+        title(axes[k], f"{name}, error {error:.3g}")
     for row in (1, 2):
         limits = np.array([(*axes[3 * row + k].get_xlim(), *axes[3 * row + k].get_ylim())
                            for k in range(3)])

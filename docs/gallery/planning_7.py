@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Path planning, Figure 7: quintics of given end speeds
 
-From (0, 0) at 30° to (1, 0) at 45° with |r′| = 1.0, 1.5, …, 4.0 at both ends: of the four PH quintics each
-time the one that turns least. Right, their curvature.
+From (0, 0) at 30° to (1, 0) at 45° with |r′| = 1.0, 1.5, …, 4.0 at both ends: of the four PH
+quintics each time the one that turns least. Right, their curvature.
 """
 
 import numpy as np

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Pictures of paths, frames, plans, swarms and surfaces, with matplotlib.
 
-Every function draws on the axes given as ``ax``, or on new ones of pyplot, and returns them; nothing
-global is changed. Lengths have equal scales. matplotlib is imported when something is first drawn.
+Every function draws on the axes given as ``ax``, or on new ones of pyplot, and returns them;
+nothing global is changed. Lengths have equal scales. matplotlib is imported when something is first
+drawn.
 """
 
 from ._convergence import convergence, orders

@@ -149,7 +149,8 @@ def frames(path: Any, ax: Axes | None = None, *,
     """Draws frames of a path at ``count`` points evenly spaced along it.
 
     ``frame`` is a FrameRoll, or a callable from parameters (n,) to matrices (n, d, d) with the axes
-    as columns; by default it is the Euler-Rodrigues frame. ``which`` are the axes drawn: 1 is the tangent.
+    as columns; by default it is the Euler-Rodrigues frame. ``which`` are the axes drawn: 1 is the
+    tangent.
     ``length`` is theirs, by default a twelfth of the path's extent; further keyword arguments go
     to the collections of lines.
     """
