@@ -10,9 +10,9 @@
 namespace hodograph::cli {
 namespace {
 
-/// Zeros of λ are isolated while their work, degree² · bits of the numbers, stays below this: about
-/// a second for each curve, and so for all of them together.
-constexpr double largest_root_work = 0x1p22;
+/// Zeros of λ are isolated while their work, degree² · bits of the numbers, stays below this for all
+/// curves together: about a second.
+constexpr double largest_root_work = 0x1p27;
 
 /// Degree times bits of the numbers of A and of alpha, together: twice what degrees 64 with
 /// numbers of a word have, half a minute's work.
