@@ -2,6 +2,8 @@
 // One request: a line of bounded length and depth in, one line out.
 #include "cli/requests/batch.hpp"
 
+#include <locale.h>
+
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -134,6 +136,23 @@ std::string fault_line(const Json& id, const std::string& kind, const Fault& fau
   return line;
 }
 
+/// Numbers are read and written with a point while it lives, whatever the process has chosen: a
+/// Python program may have called locale.setlocale().
+class PointsInNumbers {
+ public:
+  PointsInNumbers() : before_(::uselocale(plain())) {}
+  ~PointsInNumbers() { ::uselocale(before_); }
+  PointsInNumbers(const PointsInNumbers&) = delete;
+  PointsInNumbers& operator=(const PointsInNumbers&) = delete;
+
+ private:
+  static locale_t plain() {
+    static const locale_t locale = ::newlocale(LC_ALL_MASK, "C", nullptr);
+    return locale;  // null, where there is no memory for it, changes nothing
+  }
+  locale_t before_;
+};
+
 Answer answered(const Json& request, std::string& kind) {
   Members members(request, "");
   kind = members.text("request");
@@ -167,6 +186,7 @@ Json parsed_json(std::string_view text, const std::string& what) {
 }
 
 AnsweredLine answered_line(std::string_view line, bool too_long) {
+  const PointsInNumbers points;
   Json request, id;
   std::string kind;
   const auto refused = [&](Fault fault) {

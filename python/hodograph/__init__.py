@@ -18,9 +18,10 @@ from ._core import *  # noqa: F401,F403
 from ._core import __version__
 from .errors import HodographError
 from .fitting import Fit, fit
+from .requests import answer, answer_lines
 from .states import PathState, evaluate
 
-_MODULES = {"errors", "fitting", "states"}  # whose names are the package's own
+_MODULES = {"errors", "fitting", "requests", "states"}  # whose names are the package's own
 __all__ = sorted({name for name in dir() if not name.startswith("_")} - _MODULES
                  | set(_optional.NAMES) | {"__version__"})
 
