@@ -10,8 +10,8 @@
 namespace hodograph::cli {
 namespace {
 
-/// Zeros of λ are isolated while their work, degree² · bits of the numbers, stays below this for all
-/// curves together: about a second.
+/// Zeros of λ are isolated while their work, degree² · bits of the numbers, stays below this for
+/// all curves together: about a second.
 constexpr double largest_root_work = 0x1p27;
 
 /// Degree times bits of the numbers of A and of alpha, together: twice what degrees 64 with
