@@ -42,6 +42,7 @@ html_theme_options = {
     "body_text_align": "left",
 }
 html_sidebars = {"**": ["about.html", "navigation.html", "searchbox.html"]}
+smartquotes = False
 pygments_style = "friendly"
 add_module_names = False
 python_use_unqualified_type_names = True
