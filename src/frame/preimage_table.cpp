@@ -5,6 +5,15 @@
 
 namespace hodograph {
 
+PreimageTable::PreimageTable(const PreimageRows& rows)
+    : degree(rows.degree), closed(rows.closed), knots(rows.knots.begin(), rows.knots.end()) {
+  coefficients.reserve((knots.size() - 1) * (degree + 1));
+  for (std::size_t k = 0; k + 1 < knots.size(); ++k) {
+    const Quaternion<double>* first = rows.row(rows.path, k);
+    coefficients.insert(coefficients.end(), first, first + degree + 1);
+  }
+}
+
 Result<PreimageTable> PreimageTable::of(const AnyPath& path) {
   if (path.dimension() != 3) {
     return Fault{FaultCode::unsupported,

@@ -75,12 +75,13 @@ RolledKernel rolled_kernel() {
 void RolledFrames::add_piece(const std::vector<Quaternion<double>>& preimage, double u_begin,
                              double u_end, double knot, double step, const FrameRoll::Piece* from) {
   frame_detail::RolledPiece piece;
+  Quaternion<double> rotor{1.0, 0.0, 0.0, 0.0};
   piece.xi = knot + step * (0.5 * (u_begin + u_end));
   piece.scale = 2.0 / (step * (u_end - u_begin));
   if (from != nullptr) {
-    piece.cosine = std::cos(from->middle);
-    piece.sine = std::sin(from->middle);
-    std::copy(from->coefficient.begin(), from->coefficient.end(), piece.roll);
+    rotor = {std::cos(0.5 * from->middle), std::sin(0.5 * from->middle), 0.0, 0.0};
+    std::transform(from->coefficient.begin(), from->coefficient.end(), piece.half_roll,
+                   [](double c) { return 0.5 * c; });
   }
   pieces_.push_back(piece);
   starts_.push_back(knot + step * u_begin);
@@ -115,7 +116,8 @@ void RolledFrames::add_piece(const std::vector<Quaternion<double>>& preimage, do
     for (std::size_t r = k; r > 0; --r) {
       for (std::size_t i = 0; i < r; ++i) difference[i] = difference[i + 1] - difference[i];
     }
-    for (std::size_t c = 0; c < 4; ++c) preimages_[first + 4 * k + c] = factor * difference[0][c];
+    const Quaternion<double> turned = (factor * difference[0]) * rotor;
+    for (std::size_t c = 0; c < 4; ++c) preimages_[first + 4 * k + c] = turned[c];
     if (k > 0) {
       factor *= 2.0 * static_cast<double>(k) / static_cast<double>(degree_ - k + 1);
       for (std::size_t i = 0; i < k; ++i) point[i] = 0.5 * (point[i] + point[i + 1]);

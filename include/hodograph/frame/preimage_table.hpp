@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "hodograph/foundation/result.hpp"
@@ -10,6 +11,16 @@
 #include "hodograph/path/path.hpp"
 
 namespace hodograph {
+
+/// The preimage of a spatial path where it lies, as PreimageTable holds it: a view of what must
+/// outlive it. row(path, k) gives the degree + 1 coefficients of segment k.
+struct PreimageRows {
+  std::size_t degree = 0;
+  bool closed = false;
+  std::span<const double> knots;
+  const void* path = nullptr;
+  const Quaternion<double>* (*row)(const void* path, std::size_t segment) = nullptr;
+};
 
 /// Knots ξ_0 < ... < ξ_N and the Bernstein coefficients of A on each segment, one segment after the
 /// other, in the global scaling (r' = A i A* with ' = d/dξ). Made from a path, implicitly, so that
@@ -29,6 +40,7 @@ struct PreimageTable {
       for (const auto& a : curve.preimage().coefficients()) coefficients.push_back(a);
     }
   }
+  explicit PreimageTable(const PreimageRows& rows);
   /// The same from a path whose type is known when the program runs. Faults: unsupported (a path
   /// in the plane: there is no roll).
   static Result<PreimageTable> of(const AnyPath& path);
