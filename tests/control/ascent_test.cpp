@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -14,78 +13,14 @@
 #include "src/control/powered_model.hpp"
 #include "src/control/tracking_model.hpp"
 #include "support/ascent_judge.hpp"
-#include "support/compare.hpp"
+#include "support/derivative_judge.hpp"
+#include "support/exact_reference.hpp"
 #include "support/random.hpp"
 
 namespace hodograph {
 namespace {
 
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<40>,
-                                           boost::multiprecision::et_off>;
-
-/// One interval's step and values at `point`, on any scalar: next state, path values, stage cost.
-template <class Program, class S, std::size_t count>
-std::vector<S> interval(const Program& program, const std::array<S, count>& point) {
-  std::array<S, Program::n> x;
-  std::array<S, Program::m> u;
-  std::array<S, Program::q> p;
-  for (std::size_t i = 0; i < count; ++i) {
-    (i < Program::n                ? x[i]
-     : i < Program::n + Program::m ? u[i - Program::n]
-                                   : p[i - Program::n - Program::m]) = point[i];
-  }
-  const auto next = program.template shoot<S>(1, x, u, p);
-  const auto path = program.model().path_values(1, x, u, p);
-  std::vector<S> all(next.begin(), next.end());
-  all.insert(all.end(), path.begin(), path.end());
-  all.push_back(program.model().stage_cost(1, x, u, p));
-  return all;
-}
-
-/// Gradients and Hessians of all of them against central differences in 40 digits.
-template <class Program>
-void expect_right_derivatives(const Program& program, const std::array<double, Program::local>& at,
-                              double operations) {
-  constexpr std::size_t count = Program::local;
-  using Jet = SecondOrder<double, count>;
-  const Wide h("1e-10");  // not a tolerance: leaves errors of 1e-20
-  std::array<Jet, count> jets;
-  std::array<Wide, count> wide;
-  for (std::size_t i = 0; i < count; ++i) {
-    jets[i] = Jet::variable(at[i], i);
-    wide[i] = at[i];
-  }
-  const auto exact = interval<Program, Jet, count>(program, jets);
-  const auto moved = [&](std::size_t i, int di, std::size_t j, int dj) {
-    std::array<Wide, count> z = wide;
-    z[i] += di * h;
-    z[j] += dj * h;
-    return interval<Program, Wide, count>(program, z);
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto after = moved(i, 1, i, 0), before = moved(i, -1, i, 0);
-    for (std::size_t k = 0; k < exact.size(); ++k) {
-      double size = 0.0;
-      for (std::size_t c = 0; c < Jet::size; ++c) {
-        size = std::max(size, std::abs(exact[k].data()[c]));
-      }
-      const Wide slope = (after[k] - before[k]) / (2 * h);
-      EXPECT_CLOSE(exact[k].gradient(i), static_cast<double>(slope), operations, size);
-    }
-    for (std::size_t j = 0; j <= i; ++j) {
-      const auto pp = moved(i, 1, j, 1), pm = moved(i, 1, j, -1);
-      const auto mp = moved(i, -1, j, 1), mm = moved(i, -1, j, -1);
-      for (std::size_t k = 0; k < exact.size(); ++k) {
-        double size = 0.0;
-        for (std::size_t c = 0; c < Jet::size; ++c) {
-          size = std::max(size, std::abs(exact[k].data()[c]));
-        }
-        const Wide bend = (pp[k] - pm[k] - mp[k] + mm[k]) / (4 * h * h);
-        EXPECT_CLOSE(exact[k].hessian(i, j), static_cast<double>(bend), operations, size);
-      }
-    }
-  }
-}
+using test::expect_right_stage_derivatives;
 
 MultipleShooting<ascent_detail::Lander> lander(std::size_t intervals) {
   ascent_detail::Lander model{0.08, std::vector<Vector3<double>>(intervals, {0.99, 0.02, 0.01})};
@@ -112,7 +47,7 @@ TEST(AscentDerivatives, OfTheLanderAgreeWithFortyDigits) {
     at[6] = random.uniform(-1000, 1000);
     at[7] = random.uniform(-500, 500);
     at[8] = random.uniform(-500, 500);
-    expect_right_derivatives(program, at, step_operations);
+    expect_right_stage_derivatives(program, at, step_operations);
   }
 }
 
@@ -125,22 +60,49 @@ TEST(AscentDerivatives, OfThePoweredFlightAgreeWithFortyDigits) {
     at[0] = random.uniform(1.8, 4);  // away from the Moon's centre
     at[9] = random.uniform(1, 6);
     at[10] = random.uniform(0, 1);
-    expect_right_derivatives(program, at, step_operations);
+    expect_right_stage_derivatives(program, at, step_operations);
   }
 }
 
-template <class Program>
-std::size_t wrong_derivatives(Program& program, std::size_t first, double size) {
+// Where the powered flight meets the orbit, by the phase: the orbit's place and velocity.
+TEST(AscentDerivatives, OfTheMeetingWithTheOrbitAgreeWithFortyDigits) {
+  test::Random random("ascent: meeting");
+  const auto program = powered(100, true);
+  const AscentReference& reference = test::gateway();
+  const test::ExactReference<Quaternion<double>, 8> path(AnyPath(reference.path()));
+  const ascent_detail::PoweredUnits units(reference.orbit().system);
+  const double rate = 1000.0 / reference.period_s();
+  const auto ends = [&]<class S>(const std::array<S, 1>& phase) {
+    std::vector<S> all;
+    if constexpr (std::is_same_v<S, test::Wide>) {
+      const auto at = path.on(phase[0]);
+      const Vector3<S> place = at.position - Vector3<S>{S(reference.moon().x), S(0), S(0)};
+      for (std::size_t i = 0; i < 3; ++i) all.push_back(-S(units.length) * place[i]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        all.push_back(-S(units.length) * S(rate) * at.speed * at.frame.e1[i]);
+      }
+    } else {
+      const std::array<S, 2> p{S(1.0), phase[0]};
+      for (const S& x : program.model().end_values(std::array<S, 6>{}, p)) all.push_back(x);
+    }
+    return all;
+  };
+  // The velocity's second derivative takes that of the preimage: by n (n - 1)/h² second differences
+  // of its coefficients, of degree n = 8, on 30 segments.
+  constexpr double operations = 8.0 * 7.0 * 30.0 * 30.0;
+  for (int round = 0; round < 5; ++round) {
+    test::expect_right_derivatives(ends, std::array<double, 1>{random.uniform(0.1, 0.9)},
+                                   operations);
+  }
+}
+
+std::size_t wrong_derivatives(NonlinearProgram& program, std::size_t first, double size) {
   SolverPoint start;
   const std::size_t count = program.variable_ranges().size();
   for (std::size_t i = 0; i < count; ++i) {
     start.variables.push_back(1.0 + size * std::sin(static_cast<double>(3 * i + first)));
   }
-  SolverOptions options;
-  options.check_derivatives = true;
-  options.max_iterations = 0;
-  options.keep_unfinished = true;
-  return solve(program, start, options).value().wrong_derivatives;
+  return test::wrong_derivatives(program, start);
 }
 
 TEST(AscentDerivatives, PassTheSolversCheck) {

@@ -43,7 +43,10 @@ struct Repropagation {
   double velocity_error_m_s{};
   double orbit_error_km{};  ///< against the orbit itself, at the phase found
   double orbit_velocity_error_m_s{};
-  double lowest_height_km{};        ///< above the surface, over all the motion, between nodes too
+  /// A height above the surface that all the motion keeps, between the nodes too: below the lowest
+  /// by 10 cm at most. It follows from bounds of the acceleration between places 7 s or less apart,
+  /// and is certain up to the integrator's error (some 1e-18 of the distance a step).
+  double lowest_height_km{};
   double lowest_later_height_km{};  ///< the same from the end of the first interval on
   std::size_t steps = 0;
 };
