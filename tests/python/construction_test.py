@@ -100,7 +100,7 @@ class Files(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "path.json")
             hodograph.save_document(path, file, name="three points", length_unit="m")
-            self.assertEqual(hodograph.load_document(file), path)
+            self.assertEqual(hodograph.load_document(file).path, path)
             with self.assertRaises(HodographError):
                 hodograph.load_document(os.path.join(folder, "missing.json"))
             with self.assertRaises(HodographError):

@@ -41,7 +41,7 @@ class Numbers(unittest.TestCase):
             self.assertEqual(pickle.loads(pickle.dumps(path)), path)
             self.assertEqual(copy.copy(path), path)
             self.assertEqual(copy.deepcopy(path), path)
-            self.assertEqual(hodograph.parse_document(hodograph.to_json(path)), path)
+            self.assertEqual(hodograph.parse_document(hodograph.to_json(path)).path, path)
 
     def test_views_live_on_and_cannot_be_written(self):
         knots = planar().knots
