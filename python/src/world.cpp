@@ -18,7 +18,7 @@ using Point = Vector2<double>;
 
 Ring ring_of(py::handle source, const std::string& name) {
   const auto array = Doubles::ensure(source);
-  if (!array) throw py::error_already_set();
+  if (!array) throw py::type_error(name + " should be points, an array of shape (n, 2)");
   return points_of<Point>(array, name);
 }
 
