@@ -19,6 +19,10 @@ PYBIND11_MODULE(_core, m) {
   bind_mesh(m);
   bind_spatial_construction(m);
   bind_planar_construction(m);
+  bind_planar_curves(m);
+  bind_turn_limited(m);
+  bind_climb(m);
+  bind_loop(m);
   bind_fit(m);
   bind_timing(m);
   bind_world(m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Paths in the plane from data: Hermite data, prescribed lengths, corners, waypoints, splines.
+// Paths in the plane from data: Hermite data, rounded polylines, waypoints, splines.
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,7 +7,6 @@
 #include "hodograph/construction/corner.hpp"
 #include "hodograph/construction/planar_hermite.hpp"
 #include "hodograph/construction/planar_spline.hpp"
-#include "hodograph/construction/prescribed_length.hpp"
 #include "hodograph/construction/waypoint_tangents.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/convert.hpp"
@@ -17,11 +16,6 @@ namespace hodograph::python {
 namespace {
 
 using Point = Vector2<double>;
-
-/// One curve as a path on [0, step].
-AnyPath path_of(const PlanarPhCurve<2>& curve) {
-  return PlanarPath<2>::create({0.0, curve.parameter_step()}, {curve}, false).value();
-}
 
 AnyPath hermite(std::vector<double> knots, const Doubles& positions, const Doubles& derivatives,
                 bool closed) {
@@ -38,18 +32,6 @@ AnyPath hermite(std::vector<double> knots, const Doubles& positions, const Doubl
   for (std::size_t i = 0; i < at.size(); ++i) points[i] = {at[i], along[i]};
   return unlocked(
       [&]() -> AnyPath { return planar_hermite_path(std::move(knots), points, closed).value(); });
-}
-
-AnyPath of_length(const Doubles& begin, const Doubles& begin_direction, const Doubles& end,
-                  const Doubles& end_direction, double length, bool all) {
-  const DirectedPoint from{point_of<Point>(begin, "begin"),
-                           point_of<Point>(begin_direction, "begin_direction")};
-  const DirectedPoint to{point_of<Point>(end, "end"),
-                         point_of<Point>(end_direction, "end_direction")};
-  return path_of(prescribed_length_curve(from, to, length, 1.0,
-                                         all ? LengthSolutions::all : LengthSolutions::published)
-                     .value()
-                     .curve);
 }
 
 AnyPath rounded(const Doubles& points, std::optional<double> curvature,
@@ -95,11 +77,6 @@ void bind_planar_construction(py::module_& m) {
         py::arg("derivatives"), py::kw_only(), py::arg("closed") = false,
         "The C1 planar path of quintics through positions (n, 2) with derivatives (n, 2) with "
         "respect to\nxi; of the four curves of every span, the one that turns least.");
-  m.def("prescribed_length_curve", &of_length, py::arg("begin"), py::arg("begin_direction"),
-        py::arg("end"), py::arg("end_direction"), py::arg("length"), py::kw_only(),
-        py::arg("all_solutions") = false,
-        "The quintic of exactly this arc length between two points with directions (of any "
-        "length), on\nxi in [0, 1]; of its solutions, the one that turns least.");
   m.def("rounded_polyline", &rounded, py::arg("points"), py::kw_only(),
         py::arg("most_curvature") = py::none(), py::arg("most_deviation") = py::none(),
         py::arg("closed") = false,

@@ -140,7 +140,7 @@ class Record {
     return *this;
   }
 
-  py::class_<T>& done() {
+  py::class_<T> done() {
     class_.def("__repr__", [](const py::object& self) { return repr_of(self, names()); });
     if constexpr (std::default_initializable<T>) {
       if (restores_) {
