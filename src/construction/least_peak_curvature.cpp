@@ -259,9 +259,12 @@ Result<LeastPeakCurvature> least_peak_curvature_of_length(const DirectedPoint& b
   Problem p;
   if (auto fault = check(begin, end, most_length, {}, p)) return *std::move(fault);
   if (p.chord > 0.0) {
-    // Directions along the chord: the line itself.
+    // Directions along the chord: the line itself. (Others have a curve of this length, too, where
+    // rounding makes it exceed the chord, with a curvature beyond all bounds.)
     const auto line = prescribed_length_curve(begin, end, std::min(p.chord, most_length));
-    if (line) return answer(line->curve, PeakMinimum::straight_line);
+    if (line && line->rotation_index == 0.0) {
+      return answer(line->curve, PeakMinimum::straight_line);
+    }
   }
   constexpr std::size_t samples = 256;
   constexpr double least_excess = 0x1.0p-12;  // of the chord: where the curvature is very large
