@@ -16,16 +16,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-Json climb(Random &rng, int id) {
-  return {
-      {"request", "climb"},
-      {"id", id},
-      {"begin", {{"position", {0, 0, 0}}, {"heading", rng.uniform(-0.5, 0.5)}}},
-      {"end",
-       {{"position",
-         {rng.uniform(20, 40), rng.uniform(-9, 9), rng.uniform(3, 12)}},
-        {"heading", rng.uniform(-0.5, 0.5)}}},
-      {"climb_angle", 0.2}};
+Json climb(Random& rng, int id) {
+  return {{"request", "climb"},
+          {"id", id},
+          {"begin", {{"position", {0, 0, 0}}, {"heading", rng.uniform(-0.5, 0.5)}}},
+          {"end",
+           {{"position", {rng.uniform(20, 40), rng.uniform(-9, 9), rng.uniform(3, 12)}},
+            {"heading", rng.uniform(-0.5, 0.5)}}},
+          {"climb_angle", 0.2}};
 }
 
 /// Climbs, some of them impossible, and lines of other kinds between them.
@@ -41,37 +39,31 @@ std::string climbs(int count, bool with_faults = true) {
       request["end"]["heading"] = 0.1;
     }
     lines += request.dump() + "\n";
-    if (!with_faults)
-      continue;
-    if (i % 17 == 3)
-      lines += "no json\n";
-    if (i % 23 == 5)
-      lines += " \n\n";
+    if (!with_faults) continue;
+    if (i % 17 == 3) lines += "no json\n";
+    if (i % 23 == 5) lines += " \n\n";
     if (i % 29 == 7) {
-      lines +=
-          R"({"request": "rational_hermite", "begin": 1})"
-          "\n"
-          R"({"request": "fit", "formula": "cos(t), sin(t), t", "to": 3, "tolerance": 1e-4})"
-          "\n";
+      lines += R"({"request": "rational_hermite", "begin": 1})"
+               "\n"
+               R"({"request": "fit", "formula": "cos(t), sin(t), t", "to": 3, "tolerance": 1e-4})"
+               "\n";
     }
   }
   return lines;
 }
 
-std::string unbroken(const Program &program, const std::string &file) {
+std::string unbroken(const Program& program, const std::string& file) {
   const Outcome outcome = program.run({"batch", file, "--jobs", "1"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   return outcome.out;
 }
 
-std::vector<std::string> files_of(const Program &program) {
+std::vector<std::string> files_of(const Program& program) {
   std::vector<std::string> names;
-  for (const auto &entry :
-       std::filesystem::directory_iterator(program.path(""))) {
+  for (const auto& entry : std::filesystem::directory_iterator(program.path(""))) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(".std"))
-      names.push_back(name);
+    if (!name.starts_with(".std")) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -79,16 +71,14 @@ std::vector<std::string> files_of(const Program &program) {
 
 /// Starts a run on a pipe that stays open, waits until `answered` lines are in
 /// out.jsonl.partial, and does `then` with the process $p.
-std::string broken_off(const std::string &input, int answered,
-                       const std::string &then,
-                       const std::string &options = "") {
-  return "mkfifo in && exec 9<>in && { hodograph batch in -o out.jsonl " +
-         options + " & } && p=$! && cat " + input +
+std::string broken_off(const std::string& input, int answered, const std::string& then,
+                       const std::string& options = "") {
+  return "mkfifo in && exec 9<>in && { hodograph batch in -o out.jsonl " + options +
+         " & } && p=$! && cat " + input +
          " >&9 && for i in $(seq 1000); do n=$(cat out.jsonl.partial "
          "2>/dev/null | wc -l); "
          "[ \"$n\" -ge " +
-         std::to_string(answered) + " ] && break; sleep 0.01; done; rm in; " +
-         then;
+         std::to_string(answered) + " ] && break; sleep 0.01; done; rm in; " + then;
 }
 
 TEST(BatchRun, TheResultsDoNotDependOnTheNumberOfJobs) {
@@ -97,63 +87,57 @@ TEST(BatchRun, TheResultsDoNotDependOnTheNumberOfJobs) {
   const std::string one = unbroken(program, "in.jsonl");
   EXPECT_GT(line_count(one), 150u);
   EXPECT_NE(one.find("\"ok\": false"), std::string::npos);
-  for (const char *const jobs : {"2", "4", "16"}) {
+  for (const char* const jobs : {"2", "4", "16"}) {
     const Outcome several = program.run({"batch", "in.jsonl", "--jobs", jobs});
     EXPECT_EQ(several.code, 0);
     EXPECT_TRUE(several.out == one) << jobs;
-    EXPECT_EQ(
-        program.run({"batch", "in.jsonl", "-o", "out.jsonl", "-j", jobs}).code,
-        0);
+    EXPECT_EQ(program.run({"batch", "in.jsonl", "-o", "out.jsonl", "-j", jobs}).code, 0);
     EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == one) << jobs;
   }
-  EXPECT_EQ(files_of(program),
-            (std::vector<std::string>{"in.jsonl", "out.jsonl"}));
+  EXPECT_EQ(files_of(program), (std::vector<std::string>{"in.jsonl", "out.jsonl"}));
 }
 
 TEST(BatchRun, ALineIsAnsweredBeforeTheNextArrives) {
   const Program program;
   Random rng("BatchRun.ALineIsAnsweredBeforeTheNextArrives");
   write_text(program.path("one"), climb(rng, 1).dump() + "\n");
-  const Outcome outcome =
-      program.shell("mkfifo in out && { hodograph batch in > out & } && exec "
-                    "9<>out && exec 8>in && "
-                    "for i in 1 2 3; do cat one >&8; IFS= read -r answer <&9; "
-                    "printf '%s\\n' \"$answer\"; done; "
-                    "exec 8>&-; wait");
+  const Outcome outcome = program.shell(
+      "mkfifo in out && { hodograph batch in > out & } && exec "
+      "9<>out && exec 8>in && "
+      "for i in 1 2 3; do cat one >&8; IFS= read -r answer <&9; "
+      "printf '%s\\n' \"$answer\"; done; "
+      "exec 8>&-; wait");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(line_count(outcome.out), 3u);
 }
 
 TEST(BatchRun, AKilledRunGoesOn) {
-  for (const char *const jobs : {"1", "3"}) {
+  for (const char* const jobs : {"1", "3"}) {
     const Program program;
     const std::string lines = climbs(120);
     write_text(program.path("all.jsonl"), lines);
-    write_text(program.path("half.jsonl"),
-               lines.substr(0, lines.size() / 2)); // ends in a line
+    write_text(program.path("half.jsonl"), lines.substr(0, lines.size() / 2));  // ends in a line
     const std::string whole = unbroken(program, "all.jsonl");
     write_text(program.path("out.jsonl"), "what was there before\n");
-    const Outcome killed = program.shell(broken_off(
-        "half.jsonl", 40, "kill -9 $p; wait $p", std::string("-j ") + jobs));
+    const Outcome killed = program.shell(
+        broken_off("half.jsonl", 40, "kill -9 $p; wait $p", std::string("-j ") + jobs));
     EXPECT_EQ(killed.code, 128 + 9) << killed.err;
-    EXPECT_EQ(text_of_file(program.path("out.jsonl")),
-              "what was there before\n");
+    EXPECT_EQ(text_of_file(program.path("out.jsonl")), "what was there before\n");
     const std::string partial = text_of_file(program.path("out.jsonl.partial"));
     EXPECT_GE(line_count(partial), 40u);
     EXPECT_LT(line_count(partial), line_count(whole));
     EXPECT_TRUE(whole.starts_with(partial));
 
-    const Outcome again =
-        program.run({"batch", "all.jsonl", "-o", "out.jsonl"});
+    const Outcome again = program.run({"batch", "all.jsonl", "-o", "out.jsonl"});
     expect_refused(again, "--resume");
     EXPECT_EQ(text_of_file(program.path("out.jsonl.partial")), partial);
-    const Outcome resumed = program.run(
-        {"batch", "all.jsonl", "-o", "out.jsonl", "--resume", "-j", jobs});
+    const Outcome resumed =
+        program.run({"batch", "all.jsonl", "-o", "out.jsonl", "--resume", "-j", jobs});
     EXPECT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_EQ(resumed.err, "");
     EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == whole);
-    EXPECT_EQ(files_of(program), (std::vector<std::string>{
-                                     "all.jsonl", "half.jsonl", "out.jsonl"}));
+    EXPECT_EQ(files_of(program),
+              (std::vector<std::string>{"all.jsonl", "half.jsonl", "out.jsonl"}));
   }
 }
 
@@ -162,39 +146,31 @@ TEST(BatchRun, WhatIsTornIsDropped) {
   const std::string lines = climbs(30);
   write_text(program.path("all.jsonl"), lines);
   const std::string whole = unbroken(program, "all.jsonl");
-  const Outcome killed =
-      program.shell(broken_off("all.jsonl", 20, "kill -9 $p; wait $p"));
+  const Outcome killed = program.shell(broken_off("all.jsonl", 20, "kill -9 $p; wait $p"));
   EXPECT_EQ(killed.code, 128 + 9) << killed.err;
   const std::string partial = text_of_file(program.path("out.jsonl.partial"));
-  const std::string records =
-      text_of_file(program.path("out.jsonl.partial.lines"));
+  const std::string records = text_of_file(program.path("out.jsonl.partial.lines"));
   ASSERT_GE(line_count(partial), 20u);
 
   Random rng("BatchRun.WhatIsTornIsDropped");
-  const auto cut = [&](const std::string &text) {
-    return text.substr(0, static_cast<std::size_t>(rng.integer(
-                              1, static_cast<int>(text.size()) - 1)));
+  const auto cut = [&](const std::string& text) {
+    return text.substr(0,
+                       static_cast<std::size_t>(rng.integer(1, static_cast<int>(text.size()) - 1)));
   };
   const std::size_t heading = records.find('\n') + 1;
   for (int i = 0; i < 12; ++i) {
     std::string torn = i % 3 == 0 ? partial : cut(partial);
     std::string torn_records =
-        i % 3 == 1 ? records
-                   : records.substr(0, heading) + cut(records.substr(heading));
-    if (i % 4 == 1)
-      torn += std::string(40, '\0'); // a disk that lost power
-    if (i % 4 == 2)
-      torn[torn.size() / 2] ^= 1;
-    if (i % 4 == 3)
-      torn_records[heading + (torn_records.size() - heading) / 2] = '?';
+        i % 3 == 1 ? records : records.substr(0, heading) + cut(records.substr(heading));
+    if (i % 4 == 1) torn += std::string(40, '\0');  // a disk that lost power
+    if (i % 4 == 2) torn[torn.size() / 2] ^= 1;
+    if (i % 4 == 3) torn_records[heading + (torn_records.size() - heading) / 2] = '?';
     write_text(program.path("out.jsonl.partial"), torn);
     write_text(program.path("out.jsonl.partial.lines"), torn_records);
-    const Outcome resumed =
-        program.run({"batch", "all.jsonl", "-o", "out.jsonl", "--resume"});
+    const Outcome resumed = program.run({"batch", "all.jsonl", "-o", "out.jsonl", "--resume"});
     EXPECT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == whole) << i;
-    EXPECT_EQ(files_of(program),
-              (std::vector<std::string>{"all.jsonl", "out.jsonl"}));
+    EXPECT_EQ(files_of(program), (std::vector<std::string>{"all.jsonl", "out.jsonl"}));
   }
 }
 
@@ -204,18 +180,15 @@ TEST(BatchRun, OtherRequestsAreNotGoneOnWith) {
   write_text(program.path("all.jsonl"), lines);
   program.shell(broken_off("all.jsonl", 30, "kill -9 $p; wait $p"));
   const std::string partial = text_of_file(program.path("out.jsonl.partial"));
-  const auto resumed = [&](const std::string &requests) {
+  const auto resumed = [&](const std::string& requests) {
     write_text(program.path("other.jsonl"), requests);
     return program.run({"batch", "other.jsonl", "-o", "out.jsonl", "--resume"});
   };
   std::string changed = lines;
   changed[changed.find("heading") + 12] ^= 1;
-  expect_refused(resumed(changed),
-                 "line 1 of the requests is not what was answered");
-  expect_refused(resumed(lines.substr(lines.find('\n') + 1)),
-                 "line 1 of the requests");
-  expect_refused(resumed(lines.substr(0, lines.find('\n') + 1)),
-                 "end after 1 line");
+  expect_refused(resumed(changed), "line 1 of the requests is not what was answered");
+  expect_refused(resumed(lines.substr(lines.find('\n') + 1)), "line 1 of the requests");
+  expect_refused(resumed(lines.substr(0, lines.find('\n') + 1)), "end after 1 line");
   expect_refused(resumed(""), "end after 0 lines");
   EXPECT_EQ(text_of_file(program.path("out.jsonl.partial")), partial);
 
@@ -223,65 +196,48 @@ TEST(BatchRun, OtherRequestsAreNotGoneOnWith) {
   // change.
   const std::string more = "\n" + lines + "{\"request\": \"orbit\"}\n";
   EXPECT_EQ(resumed(more).code, 0);
-  EXPECT_TRUE(text_of_file(program.path("out.jsonl")) ==
-              unbroken(program, "other.jsonl"));
+  EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == unbroken(program, "other.jsonl"));
 }
 
 TEST(BatchRun, FilesOfOthersAreLeftAlone) {
   const Program program;
   write_text(program.path("in.jsonl"), climbs(3));
   write_text(program.path("out.jsonl.partial"), "my notes\n");
-  const std::vector<std::string> resume = {"batch", "in.jsonl", "-o",
-                                           "out.jsonl", "--resume"};
-  expect_refused(program.run({"batch", "in.jsonl", "-o", "out.jsonl"}),
-                 "out.jsonl.partial");
+  const std::vector<std::string> resume = {"batch", "in.jsonl", "-o", "out.jsonl", "--resume"};
+  expect_refused(program.run({"batch", "in.jsonl", "-o", "out.jsonl"}), "out.jsonl.partial");
   expect_refused(program.run(resume), "out.jsonl.partial.lines");
-  write_text(program.path("out.jsonl.partial.lines"),
-             "hodograph batch 1, version 0.0.0\n");
+  write_text(program.path("out.jsonl.partial.lines"), "hodograph batch 1, version 0.0.0\n");
   expect_refused(program.run(resume), "this version");
   EXPECT_EQ(text_of_file(program.path("out.jsonl.partial")), "my notes\n");
 
   expect_refused(program.run({"batch", "in.jsonl", "--resume"}), "--resume");
-  expect_refused(program.run({"batch", "in.jsonl", "-o", "-", "--resume"}),
-                 "-o FILE");
-  expect_refused(
-      program.run({"batch", "in.jsonl", "-o", "/dev/null", "--resume"}),
-      "/dev/null");
+  expect_refused(program.run({"batch", "in.jsonl", "-o", "-", "--resume"}), "-o FILE");
+  expect_refused(program.run({"batch", "in.jsonl", "-o", "/dev/null", "--resume"}), "/dev/null");
   expect_refused(program.run({"batch", "in.jsonl", "-o", "."}), "directory");
-  expect_refused(program.run({"batch", "in.jsonl", "-o", "no/where"}),
-                 "No such file");
+  expect_refused(program.run({"batch", "in.jsonl", "-o", "no/where"}), "No such file");
   expect_refused(program.run({"batch", "in.jsonl", "--jobs", "0"}), "--jobs");
-  expect_refused(program.run({"batch", "in.jsonl", "--on-fault", "cry"}),
-                 "--on-fault");
+  expect_refused(program.run({"batch", "in.jsonl", "--on-fault", "cry"}), "--on-fault");
   EXPECT_EQ(program.run({"batch", "in.jsonl", "-o", "/dev/null"}).code, 0);
 }
 
 TEST(BatchRun, ResumingWithNothingThereIsARun) {
   const Program program;
   write_text(program.path("in.jsonl"), climbs(5));
-  EXPECT_EQ(
-      program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code,
-      0);
-  EXPECT_TRUE(text_of_file(program.path("out.jsonl")) ==
-              unbroken(program, "in.jsonl"));
+  EXPECT_EQ(program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code, 0);
+  EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == unbroken(program, "in.jsonl"));
   write_text(program.path("out.jsonl.partial.lines"), "left over\n");
-  EXPECT_EQ(
-      program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code,
-      0);
-  EXPECT_EQ(files_of(program),
-            (std::vector<std::string>{"in.jsonl", "out.jsonl"}));
+  EXPECT_EQ(program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code, 0);
+  EXPECT_EQ(files_of(program), (std::vector<std::string>{"in.jsonl", "out.jsonl"}));
 }
 
 TEST(BatchRun, TwoProcessesDoNotWriteTheSameFile) {
   const Program program;
   write_text(program.path("all.jsonl"), climbs(5));
-  const Outcome outcome =
-      program.shell(broken_off("all.jsonl", 5,
-                               "hodograph batch all.jsonl -o out.jsonl "
-                               "--resume; echo $?; kill -9 $p; wait $p"));
+  const Outcome outcome = program.shell(broken_off("all.jsonl", 5,
+                                                   "hodograph batch all.jsonl -o out.jsonl "
+                                                   "--resume; echo $?; kill -9 $p; wait $p"));
   EXPECT_EQ(outcome.out, "2\n");
-  EXPECT_NE(outcome.err.find("another process"), std::string::npos)
-      << outcome.err;
+  EXPECT_NE(outcome.err.find("another process"), std::string::npos) << outcome.err;
 }
 
 TEST(BatchRun, FaultsAreSkippedAndCounted) {
@@ -289,35 +245,29 @@ TEST(BatchRun, FaultsAreSkippedAndCounted) {
   write_text(program.path("in.jsonl"), climbs(60));
   std::string answered;
   std::size_t faults = 0;
-  for (const std::string &line : lines_of(unbroken(program, "in.jsonl"))) {
+  for (const std::string& line : lines_of(unbroken(program, "in.jsonl"))) {
     const bool good = line.find("\"ok\": true") != std::string::npos;
-    if (good)
-      answered += line + "\n";
+    if (good) answered += line + "\n";
     faults += good ? 0 : 1;
   }
   ASSERT_GT(faults, 5u);
-  const Outcome skipped =
-      program.run({"batch", "in.jsonl", "--on-fault", "skip", "-j", "2"});
+  const Outcome skipped = program.run({"batch", "in.jsonl", "--on-fault", "skip", "-j", "2"});
   EXPECT_EQ(skipped.code, 0);
   EXPECT_TRUE(skipped.out == answered);
   const auto said = lines_of(skipped.err);
   ASSERT_EQ(said.size(), faults + 1);
-  EXPECT_TRUE(said.front().starts_with("hodograph: skipped line "))
-      << said.front();
-  EXPECT_NE(said.back().find(std::to_string(faults) + " skipped faults"),
-            std::string::npos);
+  EXPECT_TRUE(said.front().starts_with("hodograph: skipped line ")) << said.front();
+  EXPECT_NE(said.back().find(std::to_string(faults) + " skipped faults"), std::string::npos);
 
   // The same from a run that was killed, and only with the same way of treating
   // faults.
-  const Outcome killed = program.shell(
-      broken_off("in.jsonl", 10, "kill -9 $p; wait $p", "--on-fault skip"));
+  const Outcome killed =
+      program.shell(broken_off("in.jsonl", 10, "kill -9 $p; wait $p", "--on-fault skip"));
   EXPECT_EQ(killed.code, 128 + 9);
-  expect_refused(
-      program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}),
-      "go on with --on-fault skip");
-  const Outcome resumed =
-      program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume",
-                   "--on-fault", "skip", "--progress"});
+  expect_refused(program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}),
+                 "go on with --on-fault skip");
+  const Outcome resumed = program.run(
+      {"batch", "in.jsonl", "-o", "out.jsonl", "--resume", "--on-fault", "skip", "--progress"});
   EXPECT_EQ(resumed.code, 0) << resumed.err;
   EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == answered);
   EXPECT_NE(resumed.err.find("going on after "), std::string::npos);
@@ -335,31 +285,24 @@ TEST(BatchRun, AFaultStopsWhereAsked) {
   write_text(program.path("bad.jsonl"), bad);
   const std::string whole = unbroken(program, "good.jsonl");
   ASSERT_EQ(whole.find("\"ok\": false"), std::string::npos);
-  for (const char *const jobs : {"1", "4"}) {
-    const Outcome stopped = program.run(
-        {"batch", "bad.jsonl", "--on-fault", "stop", "--jobs", jobs});
+  for (const char* const jobs : {"1", "4"}) {
+    const Outcome stopped =
+        program.run({"batch", "bad.jsonl", "--on-fault", "stop", "--jobs", jobs});
     EXPECT_EQ(stopped.code, 2);
     EXPECT_TRUE(stopped.err.starts_with("hodograph: line ")) << stopped.err;
     EXPECT_NE(stopped.err.find("teleport"), std::string::npos);
     EXPECT_TRUE(whole.starts_with(stopped.out));
     EXPECT_EQ(line_count(stopped.out), line_count(good.substr(0, middle)));
 
-    EXPECT_EQ(program
-                  .run({"batch", "bad.jsonl", "-o", "out.jsonl", "--on-fault",
-                        "stop"})
-                  .code,
-              2);
+    EXPECT_EQ(program.run({"batch", "bad.jsonl", "-o", "out.jsonl", "--on-fault", "stop"}).code, 2);
     // The bad line is mended, and the run goes on.
-    EXPECT_EQ(
-        program.run({"batch", "good.jsonl", "-o", "out.jsonl", "--resume"})
-            .code,
-        0);
+    EXPECT_EQ(program.run({"batch", "good.jsonl", "-o", "out.jsonl", "--resume"}).code, 0);
     EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == whole);
   }
   Json impossible = Json::parse(lines_of(good).front());
   impossible["climb_angle"] = 1.5;
-  const Outcome none = program.run({"batch", "--on-fault", "stop"},
-                                   impossible.dump() + "\n" + good);
+  const Outcome none =
+      program.run({"batch", "--on-fault", "stop"}, impossible.dump() + "\n" + good);
   EXPECT_EQ(none.code, 3) << none.err;
   EXPECT_EQ(none.out, "");
 }
@@ -369,39 +312,32 @@ TEST(BatchRun, AnInterruptLeavesARunToGoOnWith) {
   const std::string lines = climbs(60);
   write_text(program.path("all.jsonl"), lines);
   write_text(program.path("half.jsonl"), lines.substr(0, lines.size() / 2));
-  const Outcome interrupted =
-      program.shell("mkfifo in && exec 9<>in && cat half.jsonl >&9 && "
-                    "timeout -s INT 0.7 hodograph batch in -o out.jsonl --jobs "
-                    "2; code=$?; rm in; "
-                    "echo $code");
-  EXPECT_EQ(interrupted.out, "124\n"); // of timeout
-  EXPECT_TRUE(interrupted.err.starts_with("hodograph: interrupted after "))
-      << interrupted.err;
-  EXPECT_NE(interrupted.err.find("--resume goes on"), std::string::npos)
-      << interrupted.err;
-  EXPECT_EQ(
-      program.run({"batch", "all.jsonl", "-o", "out.jsonl", "--resume"}).code,
-      0);
-  EXPECT_TRUE(text_of_file(program.path("out.jsonl")) ==
-              unbroken(program, "all.jsonl"));
+  const Outcome interrupted = program.shell(
+      "mkfifo in && exec 9<>in && cat half.jsonl >&9 && "
+      "timeout -s INT 0.7 hodograph batch in -o out.jsonl --jobs "
+      "2; code=$?; rm in; "
+      "echo $code");
+  EXPECT_EQ(interrupted.out, "124\n");  // of timeout
+  EXPECT_TRUE(interrupted.err.starts_with("hodograph: interrupted after ")) << interrupted.err;
+  EXPECT_NE(interrupted.err.find("--resume goes on"), std::string::npos) << interrupted.err;
+  EXPECT_EQ(program.run({"batch", "all.jsonl", "-o", "out.jsonl", "--resume"}).code, 0);
+  EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == unbroken(program, "all.jsonl"));
 }
 
 TEST(BatchRun, AFullDiskEndsTheRunAndLeavesWhatIsWhole) {
   const Program program;
   write_text(program.path("in.jsonl"), climbs(150));
   const std::string whole = unbroken(program, "in.jsonl");
-  const Outcome full = program.shell("trap '' XFSZ; ulimit -f 40; hodograph "
-                                     "batch in.jsonl -o out.jsonl --jobs 2");
+  const Outcome full = program.shell(
+      "trap '' XFSZ; ulimit -f 40; hodograph "
+      "batch in.jsonl -o out.jsonl --jobs 2");
   EXPECT_EQ(full.code, 2);
-  EXPECT_NE(full.err.find("cannot write 'out.jsonl': File too large"),
-            std::string::npos)
+  EXPECT_NE(full.err.find("cannot write 'out.jsonl': File too large"), std::string::npos)
       << full.err;
   const std::string partial = text_of_file(program.path("out.jsonl.partial"));
   EXPECT_GT(partial.size(), 10'000u);
   EXPECT_LT(partial.size(), whole.size());
-  EXPECT_EQ(
-      program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code,
-      0);
+  EXPECT_EQ(program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code, 0);
   EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == whole);
 
   const Outcome device = program.shell("hodograph batch in.jsonl > /dev/full");
@@ -415,11 +351,11 @@ TEST(BatchRun, AFullDiskEndsTheRunAndLeavesWhatIsWhole) {
 TEST(BatchRun, AClosedPipeEndsTheRun) {
   const Program program;
   write_text(program.path("one"), lines_of(climbs(1)).front());
-  for (const char *const trap : {"", "trap '' PIPE; "}) {
-    const Outcome outcome = program.shell(
-        std::string(trap) + "yes \"$(cat one)\" 2>/dev/null | "
-                            "timeout 10 hodograph batch --jobs 4 2>/dev/null | "
-                            "head -n 3");
+  for (const char* const trap : {"", "trap '' PIPE; "}) {
+    const Outcome outcome = program.shell(std::string(trap) +
+                                          "yes \"$(cat one)\" 2>/dev/null | "
+                                          "timeout 10 hodograph batch --jobs 4 2>/dev/null | "
+                                          "head -n 3");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(line_count(outcome.out), 3u);
   }
@@ -432,16 +368,15 @@ TEST(BatchRun, ProgressIsSilentUnlessAskedFor) {
   const Outcome asked = program.run({"batch", "--progress"}, climbs(3));
   EXPECT_EQ(asked.out, quiet.out);
   EXPECT_EQ(line_count(asked.err), 1u);
-  EXPECT_TRUE(asked.err.starts_with(
-      "hodograph: " + std::to_string(line_count(quiet.out)) + " lines, "))
+  EXPECT_TRUE(
+      asked.err.starts_with("hodograph: " + std::to_string(line_count(quiet.out)) + " lines, "))
       << asked.err;
 }
 
 TEST(BatchRun, NothingInNothingOut) {
   const Program program;
-  for (const char *const text : {"", "\n", " \n\t\r\n"}) {
-    const Outcome outcome =
-        program.run({"batch", "-o", "out.jsonl", "--on-fault", "skip"}, text);
+  for (const char* const text : {"", "\n", " \n\t\r\n"}) {
+    const Outcome outcome = program.run({"batch", "-o", "out.jsonl", "--on-fault", "skip"}, text);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(text_of_file(program.path("out.jsonl")), "");
@@ -449,5 +384,5 @@ TEST(BatchRun, NothingInNothingOut) {
   }
 }
 
-} // namespace
-} // namespace hodograph::test
+}  // namespace
+}  // namespace hodograph::test
