@@ -53,9 +53,12 @@ _SIMPLE = {
     "tuple": ("tuple[Any, ...]", "tuple[Any, ...]"),
     "iterator": ("Iterator[Any]", "Iterator[Any]"),
     "Iterator": ("Iterator[Any]", "Iterator[Any]"),
+    "Iterable": ("Iterable[Any]", "Iterable[Any]"),
+    "Sequence": ("Sequence[Any]", "Sequence[Any]"),
     "iterable": ("Iterable[Any]", "Iterable[Any]"),
     "sequence": ("Sequence[Any]", "Sequence[Any]"),
     "buffer": ("bytes", "bytes"),
+    "fractions.Fraction": ("Fraction | float | str", "Fraction"),
     "os.PathLike": ("str | os.PathLike[str]", "Path"),
 }
 _PLAIN = {"int", "float", "bool", "str", "bytes", "complex", "None", "type"}
@@ -149,12 +152,13 @@ class _Names:
         raise Unreadable(f"{name}[{inside}]")
 
     def _own(self, text):
-        home, _, name = text.rpartition(".")
-        owner = importlib.import_module(home) if importlib.util.find_spec(home) else None
-        if owner is None:  # a class in a class
-            return text.split(".", 2)[2]
+        parts = text.split(".")
+        count = len(parts) - 1
+        while ".".join(parts[:count]) not in sys.modules:
+            count -= 1
+        home, name = ".".join(parts[:count]), ".".join(parts[count:])
         if home != self.module:
-            self.foreign.setdefault(home.removeprefix("hodograph"), set()).add(name)
+            self.foreign.setdefault(home.removeprefix("hodograph"), set()).add(parts[count])
         return name
 
     def _use(self, text):
@@ -169,6 +173,8 @@ class _Names:
             lines.append("import os")
         if collections:
             lines.append(f"from collections.abc import {', '.join(collections)}")
+        if "Fraction" in self.used:
+            lines.append("from fractions import Fraction")
         if "Path" in self.used and self.module == "hodograph._core":
             raise Unreadable("os.PathLike as a result, whose name is taken by hodograph.Path")
         typing = sorted(self.used & {"Any", "ClassVar", "overload"})
@@ -336,9 +342,9 @@ def _is_enum(cls):
 
 
 def _enum_lines(cls):
-    lines = [f"class {cls.__name__}:",
-             f"    __members__: ClassVar[dict[str, {cls.__name__}]]"]
-    lines += [f"    {name}: ClassVar[{cls.__name__}]" for name in cls.__members__]
+    whole = cls.__qualname__
+    lines = [f"class {cls.__name__}:", f"    __members__: ClassVar[dict[str, {whole}]]"]
+    lines += [f"    {name}: ClassVar[{whole}]" for name in cls.__members__]
     lines += ["    @property", "    def name(self) -> str: ...",
               "    @property", "    def value(self) -> int: ...",
               "    def __init__(self, value: int) -> None: ...",
@@ -358,9 +364,12 @@ def _class_lines(cls, names):
     listed = ", ".join(names._own(f"{base.__module__}.{base.__name__}") for base in bases)
     lines = [f"class {cls.__name__}" + (f"({listed})" if listed else "") + ":"]
     for name, member in sorted(cls.__dict__.items(), key=_order):
-        if name in _SKIPPED:
+        if name in _SKIPPED or type(member).__name__ == "wrapper_descriptor":
             continue
-        lines += [f"    {line}" for line in _member_lines(name, member, names)]
+        made = _member_lines(name, member, names)
+        if name in ("__copy__", "__deepcopy__"):
+            made = [re.sub(r"-> .*: \.\.\.$", f"-> {cls.__qualname__}: ...", line) for line in made]
+        lines += [f"    {line}" for line in made]
     if len(lines) == 1:
         lines[0] += " ..."
     return lines
@@ -521,6 +530,8 @@ def _list_of_class(qualified, cls):
               if not name.startswith("_")]
     for name, member in sorted(members.items()):
         if (name.startswith("_") and name != "__init__") or name in fields:
+            continue
+        if type(member).__name__ == "wrapper_descriptor":
             continue
         if inspect.isclass(member):
             lines += _list_of_class(f"{qualified}.{name}", member)
