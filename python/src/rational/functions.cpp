@@ -127,7 +127,8 @@ void bind_function(py::module_& m) {
       .picklable();
   m.def(
       "partial_fractions", [](const FunctionArgument& g) { return partial_fractions(g.value); },
-      py::arg("f"));
+      py::arg("f"),
+      "f split over coprime denominators: a polynomial and a proper fraction for each factor.");
 }
 
 void bind_vector_function(py::module_& m) {

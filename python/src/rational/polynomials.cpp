@@ -254,7 +254,8 @@ void bind_roots(py::module_& m) {
       [](const VectorArgument& a, const VectorArgument& b, const VectorArgument& c) {
         return determinant(a.value, b.value, c.value);
       },
-      py::arg("a"), py::arg("b"), py::arg("c"));
+      py::arg("a"), py::arg("b"), py::arg("c"),
+      "det(a, b, c) = a . (b x c) of vector polynomials.");
   py::class_<RealRoot>(m, "RealRoot",
                        "One real root of a polynomial: the only root of an irreducible factor in "
                        "(lower, upper), or\nlower = upper where it is rational.")
