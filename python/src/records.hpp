@@ -5,9 +5,11 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -127,7 +129,10 @@ class Record {
         name, [](const T& self) { return Member<M>::out(self.*member); }, doc);
     names().push_back(name);
     if constexpr (std::is_array_v<M>) {
-      restores_ = false;
+      setters().push_back([](T& self, py::handle from) {
+        const auto values = from.cast<std::array<double, std::extent_v<M>>>();
+        std::copy(values.begin(), values.end(), std::begin(self.*member));
+      });
     } else if constexpr (std::default_initializable<T>) {
       setters().push_back([](T& self, py::handle from) { self.*member = Member<M>::in(from); });
     }
@@ -143,17 +148,15 @@ class Record {
   py::class_<T> done() {
     class_.def("__repr__", [](const py::object& self) { return repr_of(self, names()); });
     if constexpr (std::default_initializable<T>) {
-      if (restores_) {
-        class_.def(py::pickle([](const py::object& self) { return state_of(self, names()); },
-                              [](const py::tuple& state) {
-                                require_members(state, setters().size());
-                                T value{};
-                                for (std::size_t i = 0; i < setters().size(); ++i) {
-                                  setters()[i](value, state[i]);
-                                }
-                                return value;
-                              }));
-      }
+      class_.def(py::pickle([](const py::object& self) { return state_of(self, names()); },
+                            [](const py::tuple& state) {
+                              require_members(state, setters().size());
+                              T value{};
+                              for (std::size_t i = 0; i < setters().size(); ++i) {
+                                setters()[i](value, state[i]);
+                              }
+                              return value;
+                            }));
     }
     return class_;
   }
@@ -170,7 +173,6 @@ class Record {
   }
 
   py::class_<T> class_;
-  bool restores_ = true;
 };
 
 }  // namespace hodograph::python
