@@ -21,6 +21,11 @@ std::vector<PathIntersection> intersections(const AnyPath& first, const AnyPath&
   });
 }
 
+std::vector<PathIntersection> self_intersections(const AnyPath& path) {
+  if (path.dimension() != 2) throw Error(path_detail::of_other_dimension("an intersection", 3));
+  return path_detail::in_planar_degree(path, [](const auto& p) { return self_intersections(p); });
+}
+
 Result<std::vector<LineIntersection>> line_intersections(const AnyPath& path,
                                                          const Vector2<double>& q,
                                                          const Vector2<double>& d) {

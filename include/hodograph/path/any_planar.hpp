@@ -38,6 +38,7 @@ Answer curvature_stays_within(const AnyPath& path, double limit);
 
 /// Both paths are written in the degree of the higher one.
 std::vector<PathIntersection> intersections(const AnyPath& first, const AnyPath& second);
+std::vector<PathIntersection> self_intersections(const AnyPath& path);
 Result<std::vector<LineIntersection>> line_intersections(const AnyPath& path,
                                                          const Vector2<double>& q,
                                                          const Vector2<double>& d);

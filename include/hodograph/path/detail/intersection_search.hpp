@@ -100,10 +100,19 @@ inline bool inside(const Enclosure& a, const Enclosure& b) {
   return b.lower() <= a.lower() && a.upper() <= b.upper();
 }
 
+/// How two curves follow each other on one path, so that what they have in common for that reason
+/// is not looked for.
+struct Following {
+  bool same = false;    ///< one curve: u < v
+  bool first = false;   ///< the end of the first is the beginning of the second
+  bool second = false;  ///< the end of the second is the beginning of the first
+};
+
 template <std::size_t d, std::size_t e>
 class CurveMeetings {
  public:
-  CurveMeetings(const PlaneCurve<d>& p, const PlaneCurve<e>& q) : p_(p), q_(q) {}
+  CurveMeetings(const PlaneCurve<d>& p, const PlaneCurve<e>& q, const Following& following = {})
+      : p_(p), q_(q), following_(following) {}
 
   /// Every common point lies in one of the meetings.
   std::vector<CurveMeeting> run() {
@@ -113,8 +122,13 @@ class CurveMeetings {
     // Breadth first: where the work ends, what is open is equally small everywhere.
     for (std::size_t next = 0; next < open_.size(); ++next) {
       Pair pair = std::move(open_[next]);
-      if (apart(pair.p, pair.q) || try_newton(pair)) continue;
+      const bool follows = following(pair);
+      if (follows ? goes_one_way(pair) : apart(pair.p, pair.q) || try_newton(pair)) continue;
       const bool small = pair.u.width() <= least_part && pair.v.width() <= least_part;
+      if (!small && follows && open_.size() < most_pairs) {
+        split_both(pair);
+        continue;
+      }
       if (small || open_.size() >= most_pairs) {
         undecided_.push_back({pair.u, pair.v, false, 0, {}, {}});
         continue;
@@ -156,14 +170,51 @@ class CurveMeetings {
     return a < b || b < a;
   }
 
+  /// Whether the pieces are one, or one begins where the other ends.
+  bool following(const Pair& pair) const {
+    return (following_.same && touch(pair.u, pair.v)) ||
+           (following_.first && pair.u.upper() >= 1.0 && pair.v.lower() <= 0.0) ||
+           (following_.second && pair.v.upper() >= 1.0 && pair.u.lower() <= 0.0);
+  }
+  /// Whether some direction has every tangent on its side: along it the pieces go on and on, and
+  /// have no point in common but where they follow each other.
+  bool goes_one_way(const Pair& pair) const {
+    const auto a = part_of(p_.rate, pair.u).coefficients();
+    const auto b = part_of(q_.rate, pair.v).coefficients();
+    Vector2<double> way{};
+    const auto add = [&](const auto& rates) {
+      for (const auto& c : rates) {
+        const Vector2<double> at{c.x.middle(), c.y.middle()};
+        const double size = norm(at);
+        if (size > 0.0) way += (1.0 / size) * at;
+      }
+    };
+    add(a);
+    add(b);
+    const Vector2<Enclosure> along{Enclosure(way.x), Enclosure(way.y)};
+    const auto on_its_side = [&](const auto& c) { return dot(along, c).lower() > 0.0; };
+    return std::all_of(a.begin(), a.end(), on_its_side) &&
+           std::all_of(b.begin(), b.end(), on_its_side);
+  }
+  static std::array<Enclosure, 2> halves(const Enclosure& whole) {
+    const double middle = whole.middle();
+    return {Enclosure(whole.lower(), middle), Enclosure(middle, whole.upper())};
+  }
+  void split_both(const Pair& pair) {
+    const bool one = following_.same && pair.u.lower() == pair.v.lower();
+    for (const Enclosure& u : halves(pair.u)) {
+      for (const Enclosure& v : halves(pair.v)) {
+        if (one && v.lower() < u.lower()) continue;
+        open_.push_back({u, v, part_of(p_.position, u), part_of(q_.position, v)});
+      }
+    }
+  }
+
   void split(const Pair& pair) {
     const bool first =
         pair.v.width() <= least_part ||
         (pair.u.width() > least_part && PlaneBox::of(pair.p).size() >= PlaneBox::of(pair.q).size());
-    const Enclosure& whole = first ? pair.u : pair.v;
-    const double middle = whole.middle();
-    for (const Enclosure& half :
-         {Enclosure(whole.lower(), middle), Enclosure(middle, whole.upper())}) {
+    for (const Enclosure& half : halves(first ? pair.u : pair.v)) {
       if (first) {
         open_.push_back({half, pair.v, part_of(p_.position, half), pair.q});
       } else {
@@ -309,6 +360,7 @@ class CurveMeetings {
 
   const PlaneCurve<d>& p_;
   const PlaneCurve<e>& q_;
+  Following following_;
   std::vector<Pair> open_;
   std::vector<CurveMeeting> certain_, undecided_;
 };

@@ -130,6 +130,19 @@ class PathMeetings {
   std::vector<PathIntersection> run() {
     const BoxTree a(boxes(first_)), b(boxes(second_));
     visit(a, a.top(), 0, b, b.top(), 0);
+    return joined();
+  }
+
+  /// Of the first path with itself, which the second is, too.
+  std::vector<PathIntersection> run_with_itself() {
+    itself_ = true;
+    const BoxTree a(boxes(first_));
+    visit(a, a.top(), 0, a, a.top(), 0);
+    return joined();
+  }
+
+ private:
+  std::vector<PathIntersection> joined() {
     join();
     std::sort(found_.begin(), found_.end(), [](const Joint& x, const Joint& y) {
       return x.u.xi.lower() < y.u.xi.lower() ||
@@ -149,7 +162,6 @@ class PathMeetings {
     return result;
   }
 
- private:
   template <std::size_t k>
   std::vector<PlaneBox> boxes(const PlanarPath<k>& path) const {
     std::vector<PlaneBox> result;
@@ -171,6 +183,7 @@ class PathMeetings {
   void visit(const BoxTree& a, std::size_t level_a, std::size_t i, const BoxTree& b,
              std::size_t level_b, std::size_t j) {
     if (a.box(level_a, i).apart_from(b.box(level_b, j))) return;
+    if (itself_ && level_a == level_b && j < i) return;
     if (level_a == 0 && level_b == 0) {
       add(i, j);
     } else if (level_a >= level_b) {
@@ -183,7 +196,13 @@ class PathMeetings {
   void add(std::size_t i, std::size_t j) {
     const auto p = plane_curve(first_.segment(i), origin_);
     const auto q = plane_curve(second_.segment(j), origin_);
-    for (const CurveMeeting& at : CurveMeetings<2 * n + 1, 2 * m + 1>(p, q).run()) {
+    Following following;
+    if (itself_) {
+      const bool over_seam =
+          first_.is_closed() && i == 0 && j + 1 == first_.segment_count();  // j may be i
+      following = {i == j, i + 1 == j, over_seam};
+    }
+    for (const CurveMeeting& at : CurveMeetings<2 * n + 1, 2 * m + 1>(p, q, following).run()) {
       Joint joint{Place::of(first_, i, at.u, p), Place::of(second_, j, at.v, q), at.certain,
                   at.turn};
       if (!joint.u.is_on(first_, at.u) || !joint.v.is_on(second_, at.v)) joint.certain = false;
@@ -197,7 +216,7 @@ class PathMeetings {
     for (std::size_t i = 0; i < found_.size(); ++i) {
       if (!at_knot(found_[i].u) && !at_knot(found_[i].v)) continue;
       for (std::size_t k = i + 1; k < found_.size();) {
-        if (absorb(found_[i], found_[k])) {
+        if (absorb(found_[i], found_[k]) || (itself_ && absorb(found_[i], swapped(found_[k])))) {
           found_.erase(found_.begin() + static_cast<std::ptrdiff_t>(k));
           k = i + 1;
         } else {
@@ -206,6 +225,7 @@ class PathMeetings {
       }
     }
   }
+  static Joint swapped(const Joint& a) { return {a.v, a.u, a.certain, -a.turn}; }
   bool absorb(Joint& a, const Joint& b) const {
     if (a.u.segment == b.u.segment && a.v.segment == b.v.segment) return false;
     const Relation u = relation(first_, a.u, b.u), v = relation(second_, a.v, b.v);
@@ -221,6 +241,7 @@ class PathMeetings {
   const PlanarPath<n>& first_;
   const PlanarPath<m>& second_;
   Vector2<double> origin_;
+  bool itself_ = false;
   std::vector<Joint> found_;
 };
 
