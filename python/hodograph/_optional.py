@@ -8,6 +8,7 @@ and a build without it still has everything else.
 from __future__ import annotations
 
 import importlib
+import importlib.util
 from typing import Any
 
 #: extension module: (what it needs to be built, the public names in it)
@@ -49,7 +50,9 @@ MODULES: dict[str, tuple[str, tuple[str, ...]]] = {
 
 _HOME = {name: module for module, (_, names) in MODULES.items() for name in names}
 
-NAMES = tuple(_HOME)
+#: the public names of the components that this build has
+NAMES = tuple(name for name, module in _HOME.items()
+              if importlib.util.find_spec(f"hodograph.{module}") is not None)
 
 
 def load(name: str) -> Any:
