@@ -23,6 +23,7 @@ namespace {
 struct AscendFlags {
   std::vector<std::string> problems = {"tracking", "energy"};
   std::vector<std::string> starts = {"all"};
+  std::string coordinates = "rectangular";
   AscentOptions options;
   std::size_t guesses = AscentSolving{}.guesses, most_iterations = 0, intervals = 100;
   double singular_degrees = default_singular_theta * 180.0 / std::numbers::pi;
@@ -58,14 +59,24 @@ void run(const AscendFlags& flags) {
     }
   }
   std::vector<std::string> starts;
+  const auto add = [&starts](const std::string& name) {  // once each
+    if (std::find(starts.begin(), starts.end(), name) == starts.end()) starts.push_back(name);
+  };
   for (const std::string& name : flags.starts) {
     if (name == "all") {
-      for (const AscentStart& start : ascent_starts()) starts.push_back(start.name);
+      for (const AscentStart& start : ascent_starts()) add(start.name);
     } else {
-      starts.push_back(ascent_start(name).value().name);
+      add(ascent_start(name).value().name);
     }
   }
   AscentOptions options = flags.options;
+  options.along_path = flags.coordinates == "path";
+  const bool gravity = std::any_of(
+      flags.problems.begin(), flags.problems.end(),
+      [](const std::string& problem) { return problem == "energy" || problem == "time"; });
+  if (options.along_path && !gravity) {
+    refuse("--coordinates path is for the problems with gravity, energy and time", "coordinates");
+  }
   options.tracking.singular_theta = flags.singular_degrees * std::numbers::pi / 180.0;
   options.tracking.intervals = options.powered.intervals = flags.intervals;
   for (AscentSolving* solving : {&options.tracking.solving, &options.powered.solving}) {
@@ -150,6 +161,11 @@ std::unique_ptr<Command> ascend_command(CLI::App& program) {
                   "radius of the surface (default 1740, as published; the mean is 1737.4)");
   command->option("--margin-km", powered.margin_km, "H",
                   "kept above the surface at the nodes (default 0.2)");
+  command
+      ->option("--coordinates", flags->coordinates, "NAME",
+               "what it is solved in: rectangular (default), or path: progress along the orbit and "
+               "offset from it")
+      .one_of(ascent_coordinates);
   command->group("As published");
   command->option("--singular-deg", flags->singular_degrees, "A",
                   "the gimbal angle theta at the starts -y and +y, where it has no effect on the "

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/made_path.hpp"
+#include "hodograph/control/framed_ascent.hpp"
 #include "hodograph/io/table.hpp"
 
 namespace hodograph::cli {
@@ -192,7 +193,7 @@ std::vector<Vector3<double>> orbit_points(const AscentReference& reference, cons
 AscentSet solved_ascents(const AscentReference& reference, const std::string& problem,
                          const std::vector<std::string>& starts, const AscentOptions& options,
                          const AscentWatch& watch) {
-  AscentSet set{problem, {}, {}};
+  AscentSet set{problem, {}, {}, options.along_path};
   const bool tracks = problem == "tracking" || problem == "figure";
   for (const std::string& name : starts) {
     const AscentStart start = ascent_start(name).value();
@@ -223,7 +224,9 @@ AscentSet solved_ascents(const AscentReference& reference, const std::string& pr
     } else {
       wanted.powered.objective =
           problem == "energy" ? PoweredObjective::least_energy : PoweredObjective::least_time;
-      set.powered.push_back(named(powered_ascent(reference, start, wanted.powered)));
+      set.powered.push_back(named(options.along_path
+                                      ? powered_ascent_along_path(reference, start, wanted.powered)
+                                      : powered_ascent(reference, start, wanted.powered)));
     }
   }
   return set;
@@ -278,7 +281,11 @@ Json json_of(const PoweredAscent& a, bool nodes) {
 Json json_of(const AscentSet& set, bool nodes) {
   Json json = {{"problem", set.problem}, {"ascents", Json::array()}};
   for (const auto& a : set.tracking) json["ascents"].push_back(json_of(a, nodes));
-  for (const auto& a : set.powered) json["ascents"].push_back(json_of(a, nodes));
+  for (const auto& a : set.powered) {
+    Json one = json_of(a, nodes);
+    one["coordinates"] = set.along_path ? "path" : "rectangular";
+    json["ascents"].push_back(std::move(one));
+  }
   return json;
 }
 

@@ -16,11 +16,15 @@ namespace hodograph::cli {
 
 /// tracking: (25) as published; figure: the setting of its figure; energy, time: with gravity.
 inline const std::vector<std::string> ascent_problems = {"tracking", "figure", "energy", "time"};
+/// What the problems with gravity may be solved in: r, or progress along the orbit's path and
+/// offset.
+inline const std::vector<std::string> ascent_coordinates = {"rectangular", "path"};
 
 /// What all problems take; each uses its own.
 struct AscentOptions {
   TrackingOptions tracking{};
   PoweredOptions powered{};
+  bool along_path = false;  ///< with gravity: in the coordinates of the orbit's path
 };
 
 /// One problem, solved from some starts; one of the lists is empty.
@@ -28,6 +32,7 @@ struct AscentSet {
   std::string problem;
   std::vector<TrackingAscent> tracking{};
   std::vector<PoweredAscent> powered{};
+  bool along_path = false;
 };
 
 /// Called while it works with a line to show; false stops.

@@ -31,7 +31,7 @@ struct FollowFlags {
   bool from_given = false, to_given = false, end_given = false, duration_given = false;
   bool offset_given = false;
   double step = 0.0, disturbance = 0.02;
-  bool step_given = false;
+  bool step_given = false, hard = false;
   std::size_t horizon = HorizonOptions{}.intervals;
 };
 
@@ -66,7 +66,8 @@ void drive(const FollowFlags& flags, const PathDocument& document, const FollowR
   options.step = flags.step;
   options.intervals = flags.horizon;
   options.effort = request.options.effort;
-  constexpr std::size_t most_plans = 100000;
+  options.hard = flags.hard;
+  constexpr std::size_t most_plans = 10000;
   HorizonDrive driven_so;
   {
     const InterruptGuard guard;
@@ -91,6 +92,8 @@ void run(FollowFlags flags) {
   const PathDocument document = load_document(flags.document).value();
   const bool planar = document.path.dimension() == 2;
   FollowRequest& request = flags.request;
+  constexpr std::size_t most_iterations = 300;  // some ten times what it usually takes
+  request.options.solver.max_iterations = most_iterations;
   request.start.xi = flags.from_given ? flags.from : document.path.xi_begin();
   if (flags.to_given) request.options.xi_end = flags.to;
   if (flags.end_given) request.options.end_speed = flags.end_speed;
@@ -148,7 +151,7 @@ void run(FollowFlags flags) {
       flags.report.empty()
           ? ""
           : report_html(report_of(document, found, request, room, world ? &*world : nullptr));
-  write(flags.output, json_text(json_of(found, true, dimension)));
+  write(flags.output, json_text(json_of(found, request, room, true, dimension)));
   write(flags.table, csv_of(found, dimension));
   write(flags.report, report);
   tell(flags, text);
@@ -216,6 +219,11 @@ std::unique_ptr<Command> follow_command(CLI::App& program) {
       ->option("--disturbance", flags->disturbance, "E",
                "random errors of the state between plans, as a share of its limits "
                "(default 0.02)")
+      .needs(step);
+  command
+      ->flag("--hard", flags->hard,
+             "in the plane: never plan to leave the tube; where that cannot be, stop (default: "
+             "leave it as little as possible)")
       .needs(step);
   command->group("Files");
   command->option("-o,--out", flags->output, "FILE", "everything as JSON ('-': standard output)");

@@ -31,6 +31,24 @@ Series line(const std::string& label, const std::vector<FollowNode>& nodes, cons
   return series;
 }
 
+/// Refuses a step so short that no vehicle could get there in so many plans.
+void require_few_plans(const AnyPath& path, const FollowRequest& request,
+                       const HorizonOptions& options, double to, std::size_t most) {
+  const double length = path.arc_length(), from = request.start.xi;
+  double way = length;
+  if (from >= path.xi_begin() && to <= path.xi_end()) {
+    way = std::max(0.0, path.arc_length(to) - path.arc_length(from));
+  }
+  const double plans = way / (request.limits.speed * options.step);
+  if (!(plans > static_cast<double>(most))) return;
+  const double least = way / (request.limits.speed * static_cast<double>(most));
+  throw Error(Fault{FaultCode::outside_domain,
+                    "a step of " + to_text(options.step) + " s makes " + to_six_digits(plans) +
+                        " plans or more of this way; at most " + std::to_string(most) +
+                        " are made: the step must be at least " + to_six_digits(least) + " s",
+                    std::nullopt, "horizon_step", options.step, least});
+}
+
 double share_of(const std::vector<double>& ascending, double share) {
   const auto last = static_cast<double>(ascending.size() - 1);
   return ascending[static_cast<std::size_t>(std::ceil(share * last))];
@@ -82,6 +100,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Following& found,
     along = std::max(along, std::abs(node.along));
     lateral = std::max(lateral, std::abs(node.lateral));
   }
+  lateral = std::max(lateral, found.largest_lateral);  // between the nodes, too
   rows.emplace_back("Speed", "at most " + six(speed));
   rows.emplace_back("Acceleration",
                     "at most " + six(along) + " along, " + six(lateral) + " across");
@@ -91,13 +110,21 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Following& found,
   return rows;
 }
 
-Json json_of(const Following& found, bool nodes, std::size_t dimension) {
+Json json_of(const Following& found, const FollowRequest& request,
+             const std::optional<WorldRoom>& room, bool nodes, std::size_t dimension) {
   Json json;
   json["duration"] = found.duration;
   json["progress"] = found.progress;
   json["tube"] = found.tube;
+  json["offset_limit"] = request.limits.offset;
   json["largest_offset"] = found.largest_offset;
   json["least_stretch"] = found.least_stretch;
+  if (dimension == 2) json["largest_lateral"] = found.largest_lateral;
+  if (room) {
+    json["clearance"] = {{"of_path", room->clearance},
+                         {"needed", room->needed},
+                         {"on_the_way", room->clearance - found.largest_offset}};
+  }
   json["objective"] = found.objective;
   json["constraint_error"] = found.constraint_error;
   json["iterations"] = found.iterations;
@@ -213,6 +240,11 @@ HorizonDrive driven(const AnyPath& path, const FollowRequest& request,
                     const HorizonOptions& options, double disturbance, std::size_t most_plans,
                     const std::function<bool(double fraction)>& watch) {
   RecedingHorizon horizon = RecedingHorizon::make(path, request.limits, options).value();
+  const double period = path.xi_end() - path.xi_begin();
+  const bool round = path.is_closed() && path.dimension() == 2;
+  const double from = request.start.xi;
+  const double to = request.options.xi_end.value_or(round ? from + period : path.xi_end());
+  require_few_plans(path, request, options, to, most_plans);
   constexpr std::uint64_t seed = 7;
   std::mt19937_64 engine(seed);
   const auto error = [&engine](double size) {  // uniform in [-size, size]
@@ -222,7 +254,7 @@ HorizonDrive driven(const AnyPath& path, const FollowRequest& request,
   };
   HorizonDrive drive;
   FollowStart state = request.start;
-  const double begin = state.xi, end = request.options.xi_end.value_or(path.xi_end());
+  const double begin = from, end = to;
   constexpr double arrived = 0.98;  // of the way: a horizon has no end to stop at
   while (drive.plans < most_plans && state.xi < begin + arrived * (end - begin)) {
     if (!watch((state.xi - begin) / (end - begin))) {
@@ -242,7 +274,7 @@ HorizonDrive driven(const AnyPath& path, const FollowRequest& request,
     drive.iterations += plan.iterations;
     drive.duration += options.step;
     state = horizon.predicted();
-    if (path.is_closed() && state.xi > path.xi_end()) break;
+    if (!round && state.xi > path.xi_end()) break;
     drive.largest_offset =
         std::max(drive.largest_offset, std::hypot(state.offset[0], state.offset[1]));
     for (double& offset : state.offset) {

@@ -38,7 +38,8 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Following& found,
                                                          const FollowRequest& request,
                                                          const std::optional<WorldRoom>& room);
 /// The facts; with `nodes` also every node.
-Json json_of(const Following& found, bool nodes, std::size_t dimension);
+Json json_of(const Following& found, const FollowRequest& request,
+             const std::optional<WorldRoom>& room, bool nodes, std::size_t dimension);
 /// One row for every node.
 std::string csv_of(const Following& found, std::size_t dimension);
 /// Path and way, offset, speed and accelerations in time.

@@ -21,6 +21,14 @@ Answer answer_ascend(Members& request) {
   powered.margin_km = request.number("margin_km", powered.margin_km);
   options.tracking.singular_theta =
       request.number("singular_theta", options.tracking.singular_theta);
+  options.along_path = request.word("coordinates", ascent_coordinates, "rectangular") == "path";
+  const bool gravity = problem == "energy" || problem == "time";
+  if (options.along_path && !gravity) {
+    throw Error(
+        Fault{FaultCode::unsupported,
+              "the coordinates of the path are for the problems with gravity, energy and time",
+              std::nullopt, "/coordinates", std::nullopt, std::nullopt});
+  }
   constexpr std::size_t most_intervals = 2000, most_guesses = 16, most_iterations = 3000;
   const std::size_t intervals = request.count("intervals", powered.intervals);
   const std::size_t guesses = request.count("guesses", powered.solving.guesses);

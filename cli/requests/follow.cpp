@@ -44,14 +44,15 @@ Answer answer_follow(Members& request) {
   options.effort = request.number("effort", options.effort);
   constexpr std::size_t most_intervals = 2000, most_iterations = 3000;
   options.intervals = request.count("intervals", options.intervals);
-  options.solver.max_iterations = request.count("most_iterations", options.solver.max_iterations);
+  constexpr std::size_t usual_iterations = 300;  // some ten times what it usually takes
+  options.solver.max_iterations = request.count("most_iterations", usual_iterations);
   const bool nodes = request.truth("nodes", true);
   request.require_all_known();
   request.require_at_most("intervals", options.intervals, most_intervals);
   request.require_at_most("most_iterations", options.solver.max_iterations, most_iterations);
   Answer answer;
-  answer.result = json_of(follow(document.path, limits, start, options).value(), nodes,
-                          document.path.dimension());
+  answer.result = json_of(follow(document.path, limits, start, options).value(), wanted,
+                          std::nullopt, nodes, document.path.dimension());
   return answer;
 }
 

@@ -23,7 +23,7 @@ struct FollowedStretch {
   std::function<double(double)> arc_length;
 };
 
-/// Steps of the integrator between two nodes, to see what happens there.
+/// Steps of the integrator between two nodes, to see what happens there: at least.
 inline constexpr std::size_t looks_between = 16;
 
 inline Vector3<double> in_space(const Vector2<double>& v) { return {v.x, v.y, 0.0}; }
@@ -221,7 +221,10 @@ class FollowProgram {
     const double braking = limits_.braking > 0.0 ? limits_.braking : limits_.acceleration;
     SpeedProfile profile;
     const std::size_t count = 10 * options_.intervals;
-    const double step = (stretch_.end - begin_) / static_cast<double>(count);
+    // A horizon over a path that goes round has no end.
+    const bool round = path_->is_periodic() && options_.aim == FollowAim::most_progress;
+    const double end = round ? begin_ + (stretch_.end - stretch_.begin) : stretch_.end;
+    const double step = (end - begin_) / static_cast<double>(count);
     std::vector<double> places;
     for (std::size_t i = 0; i <= count; ++i) {
       places.push_back(begin_ + static_cast<double>(i) * step);
@@ -403,25 +406,83 @@ class FollowProgram {
     return result;
   }
 
+  /// The speed at a state, and the largest acceleration with these controls up to a speed.
+  static double speed_of(const State& x) {
+    if constexpr (planar) {
+      return x[3];
+    } else {
+      return norm(Vector3<double>{x[3], x[4], x[5]});
+    }
+  }
+  static double acceleration_of(const Control& u, double speed) {
+    if constexpr (planar) {
+      return std::hypot(u[0], speed * speed * u[1]);
+    } else {
+      return norm(Vector3<double>{u[0], u[1], u[2]});
+    }
+  }
+  static double size_of_offset(const State& x) {
+    double square = 0.0;
+    for (const double e : offset_of(x)) square += e * e;
+    return std::sqrt(square);
+  }
+  /// How fast the offset's rate may fall where the offset is at most d: its second derivative by
+  /// time is the acceleration across, and the way's bending against the path's: at least
+  /// -(|p''| + v² κ/(1 - κ d)), κ being the path's largest curvature. Infinite outside the tube.
+  double bending(const Control& u, double speed, double d) const {
+    const double left = 1.0 - stretch_.bend * d;
+    if (!(left > 0.0)) return std::numeric_limits<double>::infinity();
+    return acceleration_of(u, speed) + speed * speed * stretch_.bend / left;
+  }
+
+  /// Bounds the offset between the nodes: over a step of the time t it is at most the larger one of
+  /// the step's ends and t²/8 times `bending`; and at most v t/2 more than there. The speed is
+  /// largest at an end: its square (in the plane: it itself) is convex in time. Steps are so short
+  /// that this adds little.
   void look_between(const std::vector<double>& z, Following& result) const {
     std::array<double, Model::parameters> p{};
     if constexpr (!by_progress) p[0] = z[program_.parameters_at()];
-    const double step = 1.0 / static_cast<double>(options_.intervals * looks_between);
+    const double intervals = static_cast<double>(options_.intervals);
+    constexpr double little = 0.005;  // of the offset allowed
+    constexpr std::size_t most_looks = 1024;
     result.least_stretch = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < options_.intervals; ++k) {
       State x = state(z, k);
+      const State after = state(z, k + 1);
       const Control u = control(z, k);
-      for (std::size_t i = 0; i <= looks_between; ++i) {
-        const double tau = static_cast<double>(k * looks_between + i) * step;
+      double lasts = 0.0;
+      if constexpr (by_progress) {
+        lasts = std::max(0.0, after[0] - x[0]);
+      } else {
+        lasts = p[0] / intervals;
+      }
+      const double fastest = std::max(speed_of(x), speed_of(after));
+      const double most = bending(u, fastest, limits_.offset);
+      const double enough = lasts * std::sqrt(most / (8.0 * little * limits_.offset));
+      const std::size_t looks = static_cast<std::size_t>(std::clamp(
+          std::ceil(enough), static_cast<double>(looks_between), static_cast<double>(most_looks)));
+      const double step = 1.0 / (intervals * static_cast<double>(looks));
+      if constexpr (planar) {
+        result.largest_lateral =
+            std::max(result.largest_lateral, fastest * fastest * std::abs(u[1]));
+      }
+      for (std::size_t i = 0; i <= looks; ++i) {
+        const double tau = static_cast<double>(k * looks + i) * step;
         const ReferenceValue<A, double> at = path_->value(progress_at(tau, x));
-        const auto eta = offset_of(x);
-        double square = 0.0;
-        for (const double e : eta) square += e * e;
-        result.largest_offset = std::max(result.largest_offset, std::sqrt(square));
-        result.least_stretch = std::min(result.least_stretch, progress_stretch(at, eta) / at.speed);
+        result.least_stretch =
+            std::min(result.least_stretch, progress_stretch(at, offset_of(x)) / at.speed);
+        if (i == looks) break;
+        const State before = x;
         x = runge_kutta_step<double, Vehicle::states>(
             [&](double t, const State& y) { return program_.model().derivative(t, y, u, p); }, tau,
             step, x);
+        double time = lasts / static_cast<double>(looks);
+        if constexpr (by_progress) time = std::abs(x[0] - before[0]);
+        const double ends = std::max(size_of_offset(before), size_of_offset(x));
+        const double speed = std::max(speed_of(before), speed_of(x));
+        const double reach = ends + 0.5 * speed * time;
+        const double bound = ends + time * time / 8.0 * bending(u, speed, reach);
+        result.largest_offset = std::max(result.largest_offset, std::min(reach, bound));
       }
     }
   }

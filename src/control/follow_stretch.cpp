@@ -77,6 +77,32 @@ std::optional<Fault> check_options(const FollowOptions& options, bool planar) {
   return std::nullopt;
 }
 
+/// Whether the end speed can be had: over the longest way there is without weaving, that along the
+/// tube's outer edge all the way, or within the time given.
+std::optional<Fault> check_end_speed(const FollowedStretch& stretch, const FollowLimits& limits,
+                                     double speed, const FollowOptions& options) {
+  const double way = stretch.length * (1.0 + stretch.bend * limits.offset),
+               wanted = *options.end_speed;
+  const double braking = limits.braking > 0.0 ? limits.braking : limits.acceleration;
+  double fastest = std::sqrt(speed * speed + 2.0 * limits.acceleration * way);
+  double slowest = std::sqrt(std::max(0.0, speed * speed - 2.0 * braking * way));
+  if (options.aim == FollowAim::most_progress) {
+    fastest = speed + limits.acceleration * options.duration;
+    slowest = std::max(0.0, speed - braking * options.duration);
+  }
+  fastest = std::min(fastest, limits.speed);
+  if (wanted >= slowest && wanted <= fastest) return std::nullopt;
+  const bool too_fast = wanted > fastest;
+  return fault_of(
+      FaultCode::outside_domain,
+      "the end speed is " + to_text(wanted) + "; from a speed of " + to_text(speed) +
+          (options.aim == FollowAim::most_progress ? " in " + to_text(options.duration) + " s"
+                                                   : " over " + to_text(way) + " of way") +
+          " it can be at " + (too_fast ? "most " : "least ") +
+          to_text(too_fast ? fastest : slowest),
+      "end_speed", wanted, too_fast ? fastest : slowest);
+}
+
 /// Whether the speed does not jump at any knot: then the derivatives by ξ are those of one
 /// function.
 bool speed_is_continuous(const AnyPath& path) {
@@ -170,6 +196,9 @@ Result<FollowedStretch> followed_stretch(const AnyPath& path, const FollowLimits
                     "the start's speed is " + to_text(speed) + "; it must be between 0 and " +
                         to_text(limits.speed),
                     "speed", speed, limits.speed);
+  }
+  if (options.end_speed) {
+    if (auto fault = check_end_speed(stretch, limits, speed, options)) return *fault;
   }
   if (!(std::abs(start.heading) < 0.5 * std::numbers::pi)) {
     return fault_of(FaultCode::outside_domain,

@@ -31,12 +31,12 @@ constexpr double soft_share = 0.9;
 double clamped(double x, double most) { return std::clamp(x, -most, most); }
 
 /// The nearest state that keeps the limits, for a solver that may start on them.
-FollowStart within(const FollowStart& measured, const FollowLimits& limits, double tube,
-                   bool planar, bool& moved) {
+FollowStart within(const FollowStart& measured, const FollowLimits& limits, double tube, bool soft,
+                   bool& moved) {
   constexpr double inside = 0.999;
   FollowStart start = measured;
-  const double off = std::hypot(start.offset[0], planar ? 0.0 : start.offset[1]);
-  const double widest = planar ? soft_share * tube : inside * limits.offset;
+  const double off = std::hypot(start.offset[0], start.offset[1]);
+  const double widest = soft ? soft_share * tube : inside * limits.offset;
   if (off > widest) {
     for (double& offset : start.offset) offset *= widest / off;
   }
@@ -75,7 +75,7 @@ class Horizon final : public Planner {
   Result<HorizonPlan> plan(const FollowStart& measured) override {
     const auto begin = Clock::now();
     HorizonPlan plan;
-    const FollowStart start = within(measured, limits_, tube_, Program::planar, plan.recovered);
+    const FollowStart start = within(measured, limits_, tube_, Program::soft, plan.recovered);
     program_.set_start(start);
     program_.end_slowly();
     if (!solver_) {
@@ -173,7 +173,11 @@ Result<RecedingHorizon> RecedingHorizon::make(const AnyPath& path, const FollowL
                                            *stretch, limits, start, follow, options.centre);
     return std::nullopt;
   };
-  if (const auto fault = path.dimension() == 2 ? put(SoftCar{}) : put(Glider{})) return *fault;
+  if (path.dimension() == 3) {
+    if (const auto fault = put(Glider{})) return *fault;
+  } else if (const auto fault = options.hard ? put(Car{}) : put(SoftCar{})) {
+    return *fault;
+  }
   return RecedingHorizon(std::move(state));
 }
 

@@ -31,6 +31,18 @@ TEST(AscendCommand, SolvesTheProblemWithGravityAndWritesAReport) {
   EXPECT_GE(ascent["again"]["lowest_height_km"].get<double>(), 0.0);
 }
 
+TEST(AscendCommand, SolvesInTheCoordinatesOfThePathEachStartOnce) {
+  const Program program;
+  const Outcome run =
+      program.run({"ascend", "--problem", "energy", "--start", "+z,+z", "--coordinates", "path",
+                   "--guesses", "1", "--report", "none", "-o", "up.json"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("5.7599"), std::string::npos) << run.out;
+  const Json json = Json::parse(text_of_file(program.path("up.json")));
+  EXPECT_EQ(json["ascents"].size(), 1u);
+  EXPECT_EQ(json["ascents"][0]["coordinates"], "path");
+}
+
 TEST(AscendCommand, SolvesThePublishedProblemAndSaysWhatTheFigureDoes) {
   const Program program;
   const Outcome run = program.run({"ascend", "--problem", "tracking,figure", "--start", "+z",
@@ -59,6 +71,7 @@ TEST(AscendCommand, RefusesWhatItCannotDo) {
   };
   refused({"--start", "up"}, 2, "the starts are +z");
   refused({"--problem", "flight"}, 2, "the problems are tracking");
+  refused({"--problem", "tracking", "--coordinates", "path"}, 2, "with gravity");
   refused({"--problem", "energy", "--start", "+z", "--duration", "1"}, 2, "duration_s is 1");
   refused({"--problem", "energy", "--start", "+z", "--thrust", "1.5", "--guesses", "1",
            "--most-iterations", "30"},

@@ -40,6 +40,8 @@ TEST(FollowProgram, WritesWhatItFound) {
   EXPECT_GE(found["duration"].get<double>(), 10.99);
   EXPECT_LE(found["duration"].get<double>(), 11.1);
   EXPECT_TRUE(found["tube"].is_null());
+  EXPECT_LE(found["largest_offset"], found["offset_limit"]);
+  EXPECT_GE(found["clearance"]["on_the_way"].get<double>(), 2.0);
   EXPECT_EQ(line_count(text_of_file(program.path("way.csv"))), 22u);
   EXPECT_NE(text_of_file(program.path("way.html")).find("Offset from the path"), std::string::npos);
 }
@@ -54,6 +56,60 @@ TEST(FollowProgram, DrivesAHorizonAndTellsTheLatencies) {
   EXPECT_NE(outcome.out.find("Latency"), std::string::npos) << outcome.out;
   const Json drive = Json::parse(text_of_file(program.path("drive.json")));
   EXPECT_EQ(drive["latencies_s"].size() + 1, drive["plans"].get<std::size_t>());
+}
+
+/// A round of radius 1 or so.
+void make_round(const Program& program) {
+  write_text(program.path("round.csv"), "x,y\n1,0\n0,1\n-1,0\n0,-1\n");
+  const Outcome made = program.run({"spline", "round.csv", "--closed", "-o", "round.json"});
+  ASSERT_EQ(made.code, 0) << made.err;
+}
+
+/// A bend in space.
+constexpr const char* bend =
+    R"({"format": "hodograph-path", "version": 1, "algebra": "quaternion", "preimage_degree": 2,
+        "closed": false, "knots": [0, 3],
+        "segments": [{"start": [0, 0, 0],
+                      "preimage": [[1, 0, 0, 0], [1, 0, 0.2, 0.1], [1, 0.1, 0, 0.3]]}]})";
+
+TEST(FollowProgram, GoesOnceRoundAClosedPathFromAnywhere) {
+  const Program program;
+  make_round(program);
+  for (const char* from : {"0", "0.6"}) {
+    const Outcome outcome = program.run({"follow", "round.json", "--speed", "2", "--acceleration",
+                                         "1", "--lateral-acceleration", "1", "--offset", "0.1",
+                                         "--from-xi", from, "--intervals", "40", "-o", "out.json"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Json found = Json::parse(text_of_file(program.path("out.json")));
+    const Json &first = found["nodes"].front(), &last = found["nodes"].back();
+    EXPECT_GT(last["arc_length"].get<double>() - first["arc_length"].get<double>(), 6.0);
+    EXPECT_LT(found["largest_offset"], found["tube"]);
+    EXPECT_LE(found["largest_offset"], found["offset_limit"]);
+    const Outcome drive =
+        program.run({"follow", "round.json", "--speed", "2", "--acceleration", "1",
+                     "--lateral-acceleration", "1", "--offset", "0.1", "--from-xi", from,
+                     "--horizon-step", "0.25", "--horizon", "8", "-o", "drive.json"});
+    ASSERT_EQ(drive.code, 0) << drive.err;
+    const Json driven = Json::parse(text_of_file(program.path("drive.json")));
+    EXPECT_GT(driven["xi"].get<double>() - std::stod(from), 0.9 * found["progress"].get<double>());
+  }
+}
+
+TEST(FollowProgram, FollowsAPathInSpace) {
+  const Program program;
+  write_text(program.path("space.json"), bend);
+  const Outcome outcome =
+      program.run({"follow", "space.json", "--speed", "1", "--acceleration", "0.5", "--offset",
+                   "0.05", "--intervals", "30", "-o", "out.json", "--csv", "way.csv"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Json found = Json::parse(text_of_file(program.path("out.json")));
+  EXPECT_EQ(found["nodes"].front()["position"].size(), 3u);
+  EXPECT_LE(found["largest_offset"], found["offset_limit"]);
+  EXPECT_FALSE(found.contains("largest_lateral"));
+  const Outcome drive =
+      program.run({"follow", "space.json", "--speed", "1", "--acceleration", "0.5", "--offset",
+                   "0.05", "--horizon-step", "0.3", "--horizon", "8"});
+  EXPECT_EQ(drive.code, 0) << drive.err;
 }
 
 TEST(FollowProgram, RefusesWhatCannotBe) {
@@ -73,6 +129,9 @@ TEST(FollowProgram, RefusesWhatCannotBe) {
   expect_refused(with({"--offset", "1", "--independent", "xi"}), "take time independent");
   expect_refused(with({"--offset", "1", "--end-speed", "-1"}), "end_speed");
   expect_refused(with({"--offset", "1", "--start-offset", "1,2"}), "one offset");
+  expect_refused(with({"--offset", "1", "--to-xi", "0.5", "--end-speed", "2"}), "at most 1");
+  expect_refused(with({"--offset", "1", "--horizon-step", "1e-6"}), "must be at least 0.001");
+  expect_refused(with({"--offset", "1", "--hard"}), "--horizon-step");
   EXPECT_EQ(text_of_file(program.path("out.json")), "");
 }
 

@@ -273,6 +273,73 @@ TEST(Follow, APointInSpaceKeepsItsLimits) {
   EXPECT_GE(found.duration * limits.speed, 0.9 * path.arc_length() - limits.offset);
 }
 
+// The bound holds for the motion between the nodes, looked at a hundred times as often, and is not
+// far from it.
+TEST(Follow, TheOffsetIsBoundedBetweenTheNodes) {
+  const auto ring = test::ring(6);
+  const auto path = ReferencePath<Complex<double>>::of(ring).value();
+  FollowLimits limits = car();
+  limits.offset = 0.2;
+  FollowStart start;
+  start.speed = 0.5;
+  for (const std::size_t intervals : {6U, 25U}) {
+    FollowOptions options;
+    options.intervals = intervals;
+    options.xi_end = 3.0;
+    const Following found = follow(ring, limits, start, options).value();
+    double largest = 0.0, lateral = 0.0;
+    constexpr std::size_t looks = 1600;
+    for (std::size_t k = 0; k < intervals; ++k) {
+      const FollowNode& node = found.nodes[k];
+      const double a = node.along, bend = node.lateral / (node.speed * node.speed);
+      std::array<double, 4> x{node.xi, node.offset[0], node.heading, node.speed};
+      const auto rates = [&](double, const std::array<double, 4>& y) {
+        const auto at = path.value(y[0]);
+        const double progress =
+            y[3] * std::cos(y[2]) / progress_stretch(at, std::array<double, 1>{y[1]});
+        return std::array<double, 4>{progress, y[3] * std::sin(y[2]),
+                                     y[3] * bend - progress * at.body_rate, a};
+      };
+      const double step = found.duration / static_cast<double>(intervals * looks);
+      for (std::size_t i = 0; i < looks; ++i) {
+        largest = std::max(largest, std::abs(x[1]));
+        lateral = std::max(lateral, x[3] * x[3] * std::abs(bend));
+        x = runge_kutta_step<double, 4>(rates, 0.0, step, x);
+      }
+    }
+    EXPECT_GE(found.largest_offset, largest - rounding);
+    EXPECT_LE(found.largest_offset, 1.01 * largest);
+    EXPECT_LE(found.largest_offset, limits.offset);
+    EXPECT_GE(found.largest_lateral, lateral - rounding);
+    EXPECT_LE(found.largest_lateral, 1.01 * lateral);
+  }
+}
+
+TEST(Follow, RefusesAnEndSpeedThatCannotBeReachedAndSaysWhichCan) {
+  const auto refusal = [](double from, double to, double duration) {
+    FollowLimits limits = car();
+    limits.speed = 5.0;
+    FollowStart start;
+    start.speed = from;
+    FollowOptions options;
+    options.end_speed = to;
+    if (duration > 0.0) {
+      options.aim = FollowAim::most_progress;
+      options.duration = duration;
+    }
+    const auto found = follow(straight(4.5), limits, start, options);
+    EXPECT_FALSE(found);
+    return found ? Fault{} : found.fault();
+  };
+  Fault fault = refusal(0.0, 3.5, 0.0);  // v² = 2 · 1 · 4.5
+  EXPECT_EQ(fault.code, FaultCode::outside_domain);
+  EXPECT_EQ(fault.bound, 3.0);
+  EXPECT_NE(fault.sentence.find("at most 3"), std::string::npos) << fault.sentence;
+  EXPECT_EQ(refusal(5.0, 3.0, 0.0).bound, 4.0);
+  EXPECT_EQ(refusal(0.0, 2.0, 1.5).bound, 1.5);
+  EXPECT_EQ(refusal(2.0, 6.0, 0.0).bound, std::sqrt(13.0));
+}
+
 TEST(Follow, AsFarAsPossibleEndsWithTheTime) {
   FollowOptions options;
   options.aim = FollowAim::most_progress;

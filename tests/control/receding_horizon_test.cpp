@@ -61,6 +61,41 @@ TEST(RecedingHorizon, GoesOverTheEndOfAClosedPath) {
   EXPECT_GT(plan.following.nodes.back().xi, ring.xi_end());
 }
 
+// Plans go on from there, the first one too.
+TEST(RecedingHorizon, PlansFromBeyondTheEndOfAClosedPath) {
+  const auto ring = test::ring(6);
+  HorizonOptions options;
+  options.intervals = 8;
+  RecedingHorizon horizon = RecedingHorizon::make(ring, car(), options).value();
+  FollowStart state;
+  state.xi = ring.xi_end() + 0.3 * (ring.xi_end() - ring.xi_begin());
+  state.speed = 0.9;
+  const HorizonPlan plan = horizon.plan(state).value();
+  EXPECT_GT(plan.following.progress, 0.5);
+}
+
+TEST(RecedingHorizon, AHardTubeIsNotLeft) {
+  const auto ring = test::ring(6);
+  HorizonOptions options;
+  options.intervals = 12;
+  options.step = 0.2;
+  options.hard = true;
+  RecedingHorizon horizon = RecedingHorizon::make(ring, car(), options).value();
+  FollowStart state;
+  state.offset[0] = 0.15;  // moved to the limit
+  const HorizonPlan first = horizon.plan(state).value();
+  EXPECT_TRUE(first.recovered);
+  for (const FollowNode& node : first.following.nodes) EXPECT_LE(std::abs(node.offset[0]), 0.1);
+  for (int i = 0; i < 5; ++i) {
+    state = horizon.predicted();
+    const HorizonPlan plan = horizon.plan(state).value();
+    EXPECT_TRUE(plan.warm);
+    for (const FollowNode& node : plan.following.nodes) {
+      EXPECT_LE(std::abs(node.offset[0]), 0.1 + horizon_tolerance);
+    }
+  }
+}
+
 TEST(RecedingHorizon, ComesBackFromOutsideTheTubeAndSaysWhenAStateWasMoved) {
   RecedingHorizon horizon = RecedingHorizon::make(test::ring(6), car(), {}).value();
   FollowStart state;

@@ -84,20 +84,25 @@ struct FollowNode {
 struct Following {
   std::vector<FollowNode> nodes;  ///< N + 1
   double duration = 0.0, progress = 0.0;
-  double tube = 0.0;            ///< the largest offset with h > 0, certified
-  double largest_offset = 0.0;  ///< over all the motion, between the nodes too (16 steps each)
-  double least_stretch = 0.0;   ///< h over σ, likewise
+  double tube = 0.0;  ///< the largest offset with h > 0, certified
+  /// A bound of the offset over all the motion, between the nodes too, where the controls are held:
+  /// from 16 or more steps between two nodes and the largest second derivative of the offset within
+  /// each. Certain up to the error of those steps, 1/65536 of that of the program's own.
+  double largest_offset = 0.0;
+  double least_stretch = 0.0;    ///< h over σ at all those steps; certainly above 1 - offset/tube
+  double largest_lateral = 0.0;  ///< in the plane: of v² |k| over all the motion, likewise a bound
   double objective = 0.0, constraint_error = 0.0, seconds = 0.0;
   std::size_t iterations = 0;  ///< of all rounds
 };
 
 /// The fastest motion along the path from a start. A local minimum, to the tolerances of the
-/// solver. Speeds and accelerations are limited at the nodes; how far the vehicle comes from the
-/// path is looked at between them, too, and stands in the result.
-/// Faults: outside_domain (a number out of its range; an offset at or above the tube's largest
-/// radius, which the sentence names; a start outside the offset, or, with ξ independent, with too
-/// small a v · e₁), unsupported (in space: lateral acceleration, turn radius, end speed; most
-/// progress with ξ independent), zero_speed (a path that stands still), those of the solver.
+/// solver. Between the nodes, too, the offset keeps its limit (largest_offset is a bound) and, as
+/// the controls are held, a car its speed and its acceleration along, a point in space both; a
+/// car's lateral acceleration is limited at the nodes, and largest_lateral tells how large it
+/// becomes. Faults: outside_domain (a number out of its range; an offset at or above the tube's
+/// largest radius, which the sentence names; a start outside the offset, or, with ξ independent,
+/// with too small a v · e₁), unsupported (in space: lateral acceleration, turn radius, end speed;
+/// most progress with ξ independent), zero_speed (a path that stands still), those of the solver.
 Result<Following> follow(const AnyPath& path, const FollowLimits& limits, const FollowStart& start,
                          const FollowOptions& options = {});
 

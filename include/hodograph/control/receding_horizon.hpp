@@ -25,6 +25,9 @@ struct HorizonOptions {
   double centre = 0.05;
   double time_limit_s = 0.0;  ///< of one plan; what is reached by then is used. 0: none
   std::size_t max_iterations = 200;
+  /// For a car: offset and lateral acceleration as hard limits. A plan then may not exist, and a
+  /// measured offset beyond the limit is moved to it.
+  bool hard = false;
 };
 
 /// One plan.
