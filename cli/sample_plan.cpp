@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/sample_plan.hpp"
 
-#include "hodograph/path/arc_length_map.hpp"
-#include "hodograph/path/sampling.hpp"
+#include "hodograph/frame/any_batch.hpp"
+#include "hodograph/path/any_sampling.hpp"
 
 namespace hodograph::cli {
 namespace {
@@ -28,27 +28,26 @@ std::optional<Fault> outside(const std::vector<double>& values, double low, doub
 }  // namespace
 
 double parameter_at(const AnyPath& path, double arc_length) {
-  return path.visit([&](const auto& p) { return parameter_at_arc_length(p, arc_length); });
+  double xi = 0.0;
+  parameters_at_arc_lengths(path, {&arc_length, 1}, {&xi, 1});
+  return xi;
 }
 
 Result<std::vector<double>> sampled_parameters(const AnyPath& path, const SamplePlan& plan) {
-  return path.visit([&](const auto& p) -> Result<std::vector<double>> {
-    if (plan.count) return parameters_even_in_arc_length(p, *plan.count);
-    if (plan.count_in_xi) return parameters_even_in_xi(p, *plan.count_in_xi);
-    if (plan.count_per_segment) return parameters_per_segment(p, *plan.count_per_segment);
-    if (plan.step) return parameters_by_arc_length_step(p, *plan.step);
-    if (plan.chord_tolerance) return polyline_parameters(p, *plan.chord_tolerance);
-    if (plan.xi) {
-      if (auto fault = outside(*plan.xi, p.xi_begin(), p.xi_end(), "xi")) return *fault;
-      return *plan.xi;
-    }
-    const std::vector<double>& lengths = plan.arc_length.value();
-    if (auto fault = outside(lengths, 0.0, p.arc_length(), "arc length")) return *fault;
-    std::vector<double> xi;
-    xi.reserve(lengths.size());
-    for (const double s : lengths) xi.push_back(parameter_at_arc_length(p, s));
-    return xi;
-  });
+  if (plan.count) return parameters_even_in_arc_length(path, *plan.count);
+  if (plan.count_in_xi) return parameters_even_in_xi(path, *plan.count_in_xi);
+  if (plan.count_per_segment) return parameters_per_segment(path, *plan.count_per_segment);
+  if (plan.step) return parameters_by_arc_length_step(path, *plan.step);
+  if (plan.chord_tolerance) return polyline_parameters(path, *plan.chord_tolerance);
+  if (plan.xi) {
+    if (auto fault = outside(*plan.xi, path.xi_begin(), path.xi_end(), "xi")) return *fault;
+    return *plan.xi;
+  }
+  const std::vector<double>& lengths = plan.arc_length.value();
+  if (auto fault = outside(lengths, 0.0, path.arc_length(), "arc length")) return *fault;
+  std::vector<double> xi(lengths.size());
+  parameters_at_arc_lengths(path, lengths, xi);
+  return xi;
 }
 
 }  // namespace hodograph::cli

@@ -9,6 +9,7 @@ namespace hodograph::python {
 void bind_foundation(pybind11::module_& m);
 void bind_path(pybind11::module_& m);
 void bind_path_operations(pybind11::module_& m);
+void bind_sampling(pybind11::module_& m);
 void bind_offset(pybind11::module_& m);
 void bind_rational_bezier(pybind11::module_& m);
 void bind_sweep(pybind11::module_& m);

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, m) {
   bind_planar_analysis(m);
   bind_path_operations(m);
   bind_frame(m);
+  bind_sampling(m);
   bind_roll(m);
   bind_continuity(m);
   bind_rational_bezier(m);
