@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "hodograph/foundation/answer.hpp"
 #include "hodograph/planning/clearance.hpp"
 #include "hodograph/planning/corner_sizes.hpp"
 #include "hodograph/planning/shortest_polyline.hpp"
@@ -179,10 +178,6 @@ void bind_corner_sizes(py::module_& m) {
 }  // namespace
 
 void bind_planning(py::module_& m) {
-  py::enum_<Answer>(m, "Answer", "The answer to a question that rounding may leave open.")
-      .value("yes", Answer::yes)
-      .value("no", Answer::no)
-      .value("undecided", Answer::undecided, "Either, within rounding.");
   bind_polylines(m);
   bind_clearance(m);
   bind_corner_sizes(m);
