@@ -23,6 +23,7 @@ void bind_spatial_construction(pybind11::module_& m);
 void bind_planar_construction(pybind11::module_& m);
 void bind_planar_curves(pybind11::module_& m);
 void bind_turn_limited(pybind11::module_& m);
+void bind_spatial_curves(pybind11::module_& m);
 void bind_climb(pybind11::module_& m);
 void bind_loop(pybind11::module_& m);
 void bind_fit(pybind11::module_& m);

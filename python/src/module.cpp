@@ -22,6 +22,7 @@ PYBIND11_MODULE(_core, m) {
   bind_planar_construction(m);
   bind_planar_curves(m);
   bind_turn_limited(m);
+  bind_spatial_curves(m);
   bind_climb(m);
   bind_loop(m);
   bind_fit(m);
