@@ -150,13 +150,13 @@ def answer_lines(requests: Iterable[dict | str | bytes], client, *, on_fault: st
     if on_fault not in _requests.WAYS:
         raise ValueError(f"on_fault should be one of {', '.join(_requests.WAYS)}; "
                          f"got {on_fault!r}")
-    return _answers(requests, client, on_fault, text, chunk, ahead, without_workers_s)
-
-
-def _answers(requests, client, on_fault, text, chunk, ahead, without_workers_s):
     lines = (line for line in map(_requests.request_line, requests) if line.strip())
     answers = map_in_order(_answered, lines, client, chunk=chunk, ahead=ahead,
                            without_workers_s=without_workers_s)
+    return _answers(answers, on_fault, text)
+
+
+def _answers(answers, on_fault, text):
     with contextlib.closing(answers):
         for number, (line, fault) in enumerate(answers, 1):
             if fault is not None and on_fault == "raise":
