@@ -115,6 +115,10 @@ void bind_meetings(py::module_& m) {
       py::arg("first"), py::arg("second"),
       "Where two planar paths meet, ascending in xi of the first; every common point lies in an "
       "entry.");
+  m.def(
+      "self_intersections",
+      [](const AnyPath& path) { return unlocked([&] { return self_intersections(path); }); },
+      py::arg("path"), "Where a planar path meets itself, ascending in the smaller xi.");
   using Point = Vector2<double>;
   m.def(
       "line_intersections",

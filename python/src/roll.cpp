@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hodograph/frame/minimising_frames.hpp"
 #include "hodograph/frame/rolled_frames.hpp"
 #include "hodograph/frame/rolled_state.hpp"
 #include "hodograph/frame/twist.hpp"
@@ -279,7 +281,22 @@ void bind_makers(py::module_& m) {
       "itself on a\nclosed path, and ends with the roll `end` (modulo 2 pi) on an open one.");
 }
 
+py::array_t<double> minimising_frames(const AnyPath& path, double accuracy, const Doubles& xi,
+                                      double begin) {
+  return matrices(filled_like(xi, {3, 3}, [&](auto from, auto to) {
+    rotation_minimising_frames(
+        table_of(path), accuracy, from,
+        std::span<Frame3<double>>(reinterpret_cast<Frame3<double>*>(to.data()), from.size()), begin)
+        .value();
+  }));
+}
+
 void bind_frames(py::module_& m) {
+  m.def("rotation_minimising_frames", &minimising_frames, py::arg("path"), py::arg("accuracy"),
+        py::arg("xi"), py::arg("begin") = 0.0,
+        "The rotation-minimising frames at increasing xi, (..., 3, 3), to an accuracy in radians: "
+        "quicker than a\nroll where frames are few. Raises HodographError: outside_domain, "
+        "zero_speed, tolerance_not_reached.");
   py::class_<RolledFrames>(m, "RolledFrames", "The frames of a path under a roll, in batches.")
       .def(py::init([](const AnyPath& path, const FrameRoll& roll) {
              return unlocked([&] { return RolledFrames(table_of(path), roll); });

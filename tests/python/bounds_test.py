@@ -99,6 +99,36 @@ class Samples(unittest.TestCase):
         self.assertTrue((kappa <= parts.most_curvature[part] * (1 + 1e-9)).all())
 
 
+class Sampling(unittest.TestCase):
+    def test_parameters_are_where_they_should_be(self):
+        for path in (wave(), loop()):
+            even = hodograph.parameters_even_in_arc_length(path, 50)
+            np.testing.assert_allclose(np.diff(path.arc_length(even)), path.arc_length() / 49,
+                                       rtol=1e-12)
+            np.testing.assert_allclose(hodograph.parameters_even_in_xi(path, 11),
+                                       np.linspace(path.xi_begin, path.xi_end, 11), rtol=1e-14)
+            steps = hodograph.parameters_by_arc_length_step(path, 0.3)
+            np.testing.assert_allclose(np.diff(path.arc_length(steps))[:-1], 0.3, rtol=1e-12)
+            self.assertEqual(len(hodograph.parameters_per_segment(path, 4)),
+                             4 * path.segment_count + 1)
+            corners = hodograph.polyline_parameters(path, 1e-3)
+            fine = np.linspace(corners[:-1], corners[1:], 9, axis=1)
+            a, b = path.position(corners[:-1])[:, None], path.position(corners[1:])[:, None]
+            p, along = hodograph.points_at(path, fine), b - a
+            t = np.sum((p - a) * along, axis=2) / np.sum(along * along, axis=2)
+            distance = np.linalg.norm(p - a - np.clip(t, 0, 1)[:, :, None] * along, axis=2)
+            self.assertLessEqual(distance.max(), 1e-3)
+
+    def test_derivatives_of_curvature_are_those_of_differences(self):
+        for path, xi in ((wave(), 0.4), (loop(), 0.3)):
+            h = 1e-4
+            kappa = hodograph.curvature(path, [xi - h, xi, xi + h])
+            expected = [kappa[1], (kappa[2] - kappa[0]) / (2 * h),
+                        (kappa[2] - 2 * kappa[1] + kappa[0]) / h**2]
+            np.testing.assert_allclose(hodograph.curvature_derivatives(path, xi), expected,
+                                       rtol=1e-4)
+
+
 class Planar(unittest.TestCase):
     def test_turning_is_that_of_the_tangents(self):
         path = wave()
@@ -145,6 +175,13 @@ class Planar(unittest.TestCase):
             self.assertAlmostEqual(at.point[1], 1.5, delta=1e-10)
         whole = hodograph.line_intersections(path, [0, 1.5], [1, 0])
         self.assertGreaterEqual(len(whole), 2)
+
+    def test_a_path_that_meets_itself(self):
+        path = hodograph.planar_spline([[0, 0], [2, 2], [2, 0], [0, 2]])
+        found = hodograph.self_intersections(path)
+        self.assertEqual([at.kind for at in found], [hodograph.IntersectionKind.crossing])
+        np.testing.assert_allclose(path.position(found[0].xi_second), found[0].point, atol=1e-10)
+        self.assertEqual(hodograph.self_intersections(wave()), [])
 
     def test_higher_degrees_agree(self):
         path = wave()
@@ -213,6 +250,10 @@ class Refusals(unittest.TestCase):
         self.expect("outside_domain", lambda: hodograph.self_distance(space, 1.5))
         self.expect("outside_domain", lambda: hodograph.curvature_extremes(plane, relative_width=nan))
         self.expect("too_few", lambda: hodograph.curvature_parts(plane, 0))
+        self.expect("too_few", lambda: hodograph.parameters_even_in_xi(plane, 1))
+        self.expect("outside_domain", lambda: hodograph.parameters_by_arc_length_step(plane, nan))
+        self.expect("outside_domain", lambda: hodograph.polyline_parameters(plane, -1.0))
+        self.expect("outside_domain", lambda: hodograph.curvature_derivatives(plane, nan))
         self.assertEqual(hodograph.curvature_stays_within(plane, nan), hodograph.Answer.no)
         rest = single([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]])
         self.expect("zero_speed", lambda: hodograph.bending_energy(rest))

@@ -184,11 +184,46 @@ class Planar(unittest.TestCase):
         self.assertEqual(made.path, hodograph.planar_spline(points))
         self.assertAlmostEqual(made.report.energy, hodograph.bending_energy(made.path), delta=1e-9)
 
+    def test_many_lengths_are_the_same_as_one(self):
+        begins, ends = np.zeros((2, 2)), np.array([[4.0, 0.0], [3.0, 1.0]])
+        along = np.array([[1.0, 1.0], [1.0, 0.0]])
+        preimages, indices, margins = hodograph.prescribed_length_curves(begins, along, ends,
+                                                                         along, [6.0, 5.0])
+        for i, length in enumerate((6.0, 5.0)):
+            one = hodograph.prescribed_length_curve(begins[i], along[i], ends[i], along[i], length)
+            np.testing.assert_array_equal(one.curve.preimages[0], preimages[i])
+            self.assertEqual((one.rotation_index, one.margin), (indices[i], margins[i]))
+
     def test_self_crossings(self):
         path = hodograph.planar_spline([[0, 0], [1, 0]])
         with self.assertRaises(HodographError):
             hodograph.crosses_itself(hodograph.planar_spline([[0, 0], [1, 2], [3, 1]]))
         self.assertFalse(hodograph.crosses_itself(path))
+
+
+class Spatial(unittest.TestCase):
+    def data(self, t):
+        return np.array([[np.cos(t + k * np.pi / 2), np.sin(t + k * np.pi / 2),
+                          (t, 1, 0, 0, 0)[k]] for k in range(5)])
+
+    def test_hermite_curves_meet_their_data(self):
+        for order in (1, 2, 4):
+            begin, end = self.data(0.0)[:order + 1], self.data(0.5)[:order + 1]
+            for free in ({}, {"choice": hodograph.HermiteChoice.order_six, "theta_middle": 0.1}):
+                curve = hodograph.hermite_curve(begin, end, 0.5, **free)
+                for r in range(order + 1):
+                    np.testing.assert_allclose(hodograph.derivatives(curve, [0.0, 0.5], r),
+                                               [begin[r], end[r]], atol=1e-9)
+
+    def test_splines_and_their_error(self):
+        t = np.linspace(0.0, 6.0, 100)
+        samples = np.array([self.data(x)[0] for x in t])
+        spline = hodograph.InterpolatingSpline(t, samples)
+        np.testing.assert_allclose(spline(t)[:, 0], samples, atol=1e-13)
+        made = hodograph.fit(samples, 1e-7, parameters=t)
+        error = hodograph.spline_error(spline, made.path)
+        self.assertTrue(error.certified)
+        self.assertEqual(error.error, made.error)
 
 
 class Refusals(unittest.TestCase):
@@ -204,6 +239,11 @@ class Refusals(unittest.TestCase):
         self.expect("not_finite", lambda: hodograph.climb_curve(*ends, nan))
         self.expect("mismatched_size", lambda: hodograph.climb_curve([0, 0], *ends[1:], 0.2))
         self.expect("too_few", lambda: hodograph.climb_route([]))
+        point = [[0, 0, 0], [1, 0, 0]]
+        self.expect("mismatched_size", lambda: hodograph.hermite_curve(point, point[:1]))
+        self.expect("mismatched_size", lambda: hodograph.hermite_curve([0, 0], [1, 1]))
+        self.expect("unsupported", lambda: hodograph.hermite_curve(point, point, theta_end=0.1))
+        self.expect("too_few", lambda: hodograph.InterpolatingSpline([0, 1], np.zeros((2, 3))))
         self.expect("mismatched_size",
                     lambda: hodograph.climb_curves(np.zeros((2, 3)), np.ones((1, 2)),
                                                    np.ones((2, 3)), np.ones((2, 2)), 0.2))

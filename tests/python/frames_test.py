@@ -80,6 +80,12 @@ class Rolled(unittest.TestCase):
                     np.stack([w * w + x * x - y * y - z * z, 2 * (x * y + w * z),
                               2 * (x * z - w * y)], axis=1), atol=1e-13)
 
+    def test_minimising_frames_in_one_go(self):
+        path, xi = climb(), np.linspace(0.0, 1.0, 17)
+        frames = hodograph.RolledFrames(path, hodograph.rotation_minimising_roll(path, 0.5)).at(xi)
+        np.testing.assert_allclose(hodograph.rotation_minimising_frames(path, 1e-8, xi, 0.5),
+                                   frames, atol=2e-8)
+
     def test_rates_are_the_derivatives_of_frames(self):
         path, h = climb(), 1e-5
         for roll in self.rolls(path):
@@ -142,6 +148,22 @@ class Smoothness(unittest.TestCase):
         np.testing.assert_allclose(hodograph.unit_axis([0, 0, 5]), [0, 0, 1])
 
 
+    def test_lifts_and_their_plans(self):
+        plan = hodograph.planar_spline([[0, 0], [1, 2], [3, 1]])
+        path = hodograph.lifted(plan, 5.0, 0.25)
+        xi = np.linspace(0.0, 2.0, 30)
+        np.testing.assert_allclose(path.position(xi)[:, :2], plan.position(xi), atol=1e-13)
+        np.testing.assert_allclose(path.position(xi)[:, 2], 5.0 + 0.25 * plan.arc_length(xi),
+                                   atol=1e-13)
+        self.assertEqual(hodograph.lifted(plan, 0.0, [0.1, 0.2]).segment_count, 2)
+        found = hodograph.helical_decomposition(path, 0, [0, 0, 1])
+        self.assertAlmostEqual(found.sine / found.cosine, 0.25, delta=1e-14)
+        size = np.abs(found.plan).max()
+        same = min(np.abs(found.plan - plan.preimages[0]).max(),
+                   np.abs(found.plan + plan.preimages[0]).max())
+        self.assertLess(same, 1e-13 * size)
+
+
 class Refusals(unittest.TestCase):
     def expect(self, code, call):
         with self.assertRaises(HodographError) as caught:
@@ -172,6 +194,11 @@ class Refusals(unittest.TestCase):
                                                    hodograph.FrameRoll.none(
                                                        hodograph.reparametrised(loop(), 0, 2))))
         self.assertEqual(hodograph.RolledFrames(path, roll).at([]).shape, (0, 3, 3))
+        self.expect("mismatched_size", lambda: hodograph.lifted(plane, 0.0, [0.1, 0.2, 0.3]))
+        self.expect("unsupported", lambda: hodograph.lifted(path, 0.0, 0.1))
+        self.expect("not_finite", lambda: hodograph.lifted(plane, 0.0, nan))
+        self.expect("unsupported", lambda: hodograph.helical_decomposition(loop(), 0, [0, 0, 1]))
+        self.expect("outside_domain", lambda: hodograph.helical_decomposition(path, 5, [0, 0, 1]))
 
 
 if __name__ == "__main__":
