@@ -54,15 +54,28 @@ std::string text_of(const Rows& rows) {
 }
 
 /// "3, at xi 0.25, 0.5, 0.75": the first few alone where there are many.
-std::string listed(const std::vector<CurvaturePlace>& places) {
+template <class Place, class Text>
+std::string listed(const std::vector<Place>& places, const Text& text_of_place) {
   constexpr std::size_t most_listed = 6;
   std::string text = std::to_string(places.size());
   for (std::size_t i = 0; i < std::min(places.size(), most_listed); ++i) {
-    std::array<char, 32> number{};
-    std::snprintf(number.data(), number.size(), "%.6g", places[i].xi);
-    text += std::string(i == 0 ? ", at xi " : ", ") + number.data();
+    text += (i == 0 ? ", at xi " : ", ") + text_of_place(places[i]);
   }
   return text + (places.size() > most_listed ? ", ..." : "");
+}
+std::string shortened(double xi) {
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.6g", xi);
+  return number.data();
+}
+std::string listed(const std::vector<CurvaturePlace>& places) {
+  return listed(places, [](const CurvaturePlace& place) { return shortened(place.xi); });
+}
+std::string listed(const std::vector<PathIntersection>& places) {
+  return listed(places, [](const PathIntersection& at) {
+    return shortened(at.xi_first) + " and " + shortened(at.xi_second) +
+           (at.kind == IntersectionKind::undecided ? " (undecided)" : "");
+  });
 }
 
 std::string limit(const Enclosure& distance, const char* side) {
@@ -115,6 +128,7 @@ Rows rows_of(const PlanarFacts& facts, const AnyPath& path, const std::string& u
                                                 place_of(facts.largest_curvature, facts, path));
   rows.emplace_back("curvature extremes", listed(facts.curvature_extremes));
   rows.emplace_back("inflections", listed(facts.inflections));
+  rows.emplace_back("meets itself", listed(facts.self_intersections));
   rows.emplace_back("offsets without cusp", limit(facts.offset_limit_left, "left") + ", " +
                                                 limit(facts.offset_limit_right, "right"));
   return rows;

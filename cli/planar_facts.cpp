@@ -53,6 +53,7 @@ std::optional<PlanarFacts> planar_facts_of(const AnyPath& path) {
   for (const auto& one : curvature_stationary_points(path)) {
     facts.curvature_extremes.push_back({one.xi, one.xi_range, one.curvature, name_of(one.kind)});
   }
+  facts.self_intersections = self_intersections(path);
   return facts;
 }
 
@@ -86,7 +87,21 @@ Json json_of(const PlanarFacts& facts) {
   for (const auto& place : facts.curvature_extremes) {
     json["curvature_extremes"].push_back(json_of(place, true));
   }
+  json["self_intersections"] = Json::array();
+  for (const auto& at : facts.self_intersections) {
+    json["self_intersections"].push_back(json_of(at));
+  }
   return json;
+}
+
+Json json_of(const PathIntersection& at) {
+  return {{"xi", at.xi_first},          {"xi_range", json_of(at.xi_first_range)},
+          {"other_xi", at.xi_second},   {"other_xi_range", json_of(at.xi_second_range)},
+          {"point", list_of(at.point)}, {"kind", name_of(at.kind)}};
+}
+
+const char* name_of(IntersectionKind kind) {
+  return kind == IntersectionKind::crossing ? "crossing" : "undecided";
 }
 
 }  // namespace hodograph::cli

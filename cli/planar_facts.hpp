@@ -11,6 +11,7 @@
 #include "hodograph/bernstein/range.hpp"
 #include "hodograph/foundation/enclosure.hpp"
 #include "hodograph/path/any_path.hpp"
+#include "hodograph/path/intersection.hpp"
 
 namespace hodograph::cli {
 
@@ -28,6 +29,7 @@ struct PlanarFacts {
   Enclosure smallest_curvature, largest_curvature;  ///< signed
   Enclosure offset_limit_left, offset_limit_right;  ///< distances of offsets without a cusp
   std::vector<CurvaturePlace> inflections, curvature_extremes;
+  std::vector<PathIntersection> self_intersections;
 };
 
 /// Nothing for a path in space.
@@ -38,5 +40,9 @@ std::optional<PlanarFacts> planar_facts_of(const AnyPath& path);
 std::string_view keeps_curvature_limit(const AnyPath& path, double limit);
 
 Json json_of(const PlanarFacts& facts);
+/// A place where two paths meet: xi, other_xi, their ranges, the point and the kind.
+Json json_of(const PathIntersection& at);
+/// "crossing" or "undecided".
+const char* name_of(IntersectionKind kind);
 
 }  // namespace hodograph::cli

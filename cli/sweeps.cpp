@@ -153,6 +153,7 @@ MadeSweep made_family(const AnyPath& path, const SweepRequest& request) {
       std::nullopt,
       {}};
   made.free_factor = 0.0;
+  made.certainly_free = contact_of(made.sweep).free;
   made.tolerance = tolerance_of(made.sweep, request);
   return made;
 }
@@ -271,6 +272,8 @@ Json json_of(const MadeSweep& made, const MeasuredMesh& mesh) {
     json["outer_radius"] = outer_radius(made.sweep);
     json["certainly_free_of_contact"] = made.certainly_free;
     if (!made.certainly_free) json["free_factor"] = made.free_factor;
+  } else {
+    json["certainly_free_of_contact"] = made.certainly_free;
   }
   json["mesh"] = {{"tolerance", made.tolerance},
                   {"deviation", mesh.made.deviation + mesh.rounding},
@@ -306,7 +309,9 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
   const std::string in_unit = unit.empty() ? "" : " " + unit;
   std::vector<std::pair<std::string, std::string>> rows;
   if (made.frame.empty()) {
-    rows.emplace_back("Surface", "a tubular family; contact with itself is not looked for");
+    rows.emplace_back("Surface", "a tubular family");
+    rows.emplace_back("Contact with itself",
+                      made.certainly_free ? "none, certified" : "not excluded");
   } else {
     rows.emplace_back("Frame", made.frame + (made.gamma ? ", gamma " + to_six_digits(*made.gamma)
                                                         : std::string()));

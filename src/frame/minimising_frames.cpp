@@ -48,7 +48,8 @@ FindKernels choose() {
 /// costs as its length, and takes the fewer pieces the longer it is.
 const MinimisingKernels* find_kernels(std::size_t degree, double share) {
   static const FindKernels find = choose();
-  constexpr double fine = 0x1.0p-34;
+  constexpr double fine = 0x1.0p-34;  // not a tolerance: where both cost the same
+
   return find(degree, share >= fine ? 12 : 16);
 }
 
@@ -143,7 +144,8 @@ class InOneGo {
   /// Goes to the start of a segment.
   bool enter(std::size_t k) {
     const Sizes sizes = sizes_of(path_.row(path_.path, k), path_.degree);
-    constexpr double largest = 0x1.0p+400, smallest = 0x1.0p-400;
+    constexpr double largest = 0x1.0p+400;   // not a tolerance: squares of sizes
+    constexpr double smallest = 0x1.0p-400;  // not a tolerance: whose products are in range
     if (!(sizes.most <= largest && sizes.least >= smallest)) return false;
     const double ratio = static_cast<double>(path_.degree) * std::sqrt(sizes.step / sizes.least);
     const double wanted = std::ceil(pieces_a_reach * reach_ * ratio);

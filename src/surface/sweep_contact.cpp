@@ -66,12 +66,89 @@ struct Stretch {
   Vector3<double> start{};
   DynamicPolynomial<Vector3<double>> displacement;
   double begin = 0.0, end = 1.0;  ///< in ξ
+  std::size_t piece = 0;          ///< of the motion
   int depth = 0;
   std::vector<Vector3<double>> hull;  ///< points whose convex hull holds all cross-sections
-  Box sections, path, velocity, acceleration;
+  Box sections, path;
+  /// What a section's plane moves on by, along its normal N, and what carries its points back: no
+  /// point of a section near it comes to lie in it again where advance > (x - c)·back.
+  Range advance;
+  Box back;
   Vector3<double> middle{}, tangent{};
   std::unique_ptr<Stretch> half[2];
 };
+
+/// The angles of a roll on a part of a segment.
+Range roll_on(const FrameRoll& roll, std::size_t segment, double from, double to) {
+  const double begin = roll.angle_at_begin(segment), end = roll.angle_at_end(segment);
+  const auto pieces = roll.pieces(segment);
+  Range range{Box::infinity, -Box::infinity};
+  const auto add = [&](double low, double high) {
+    range.low = std::min(range.low, low);
+    range.high = std::max(range.high, high);
+  };
+  if (pieces.empty()) {
+    add(begin + from * (end - begin), begin + from * (end - begin));
+    add(begin + to * (end - begin), begin + to * (end - begin));
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto& piece = pieces[i];
+    const double last = i + 1 < pieces.size() ? pieces[i + 1].begin : 1.0;
+    if (last < from || piece.begin > to) continue;
+    const double low = (std::max(from, piece.begin) - piece.center) * piece.scale;
+    const double high = (std::min(to, last) - piece.center) * piece.scale;
+    // The value in the middle, and as far from it as the slope allows.
+    const double x = 0.5 * (low + high), reach = 0.5 * (high - low);
+    double value = 0.0, slope = 0.0;
+    for (std::size_t k = piece.coefficient.size(); k-- > 0;) {
+      value = (value + piece.coefficient[k]) * x;
+      slope += static_cast<double>(k + 1) * std::abs(piece.coefficient[k]);
+    }
+    add(piece.middle + value - slope * reach, piece.middle + value + slope * reach);
+  }
+  const double off = roll.error_bound() + margin * (std::abs(range.low) + std::abs(range.high));
+  return {range.low - off, range.high + off};
+}
+
+/// Points whose convex hull holds those of all corners when these are rolled by angles of a range.
+std::vector<Vector3<double>> rolled_corners(const std::vector<Vector3<double>>& corners,
+                                            const Range& roll) {
+  const double middle = 0.5 * (roll.low + roll.high), most = 0.5 * (roll.high - roll.low);
+  std::vector<Vector3<double>> result;
+  constexpr double widest = 0.25 * std::numbers::pi;
+  if (!(most <= widest)) {
+    // Anything: the square round the circle.
+    double radius = 0.0;
+    for (const auto& p : corners) radius = std::max(radius, std::hypot(p.y, p.z));
+    for (const double y : {-radius, radius}) {
+      for (const double z : {-radius, radius}) result.push_back({0.0, y, z});
+    }
+    return result;
+  }
+  // An arc lies in the triangle of its ends and of where the tangents there meet.
+  for (const auto& p : corners) {
+    for (const double by : {-most, 0.0, most}) {
+      const double stretch = by == 0.0 ? 1.0 / std::cos(most) : 1.0;
+      const double c = stretch * std::cos(middle + by), s = stretch * std::sin(middle + by);
+      result.push_back({p.x, c * p.y - s * p.z, s * p.y + c * p.z});
+    }
+  }
+  return result;
+}
+
+/// The axes of the frame that a plane profile is normal to: 0, 1, 2 for e₁, e₂, e₃. Two for a line
+/// along an axis.
+std::vector<std::size_t> normals_of(const Profile& profile) {
+  std::vector<std::size_t> axes;
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    bool flat = true;
+    for (const auto& piece : profile.pieces()) {
+      for (const auto& p : piece.control_points) flat = flat && p[axis] == 0.0;
+    }
+    if (flat) axes.push_back(axis);
+  }
+  return axes;
+}
 
 /// The convex hull of the profile's control points in (e₂, e₃), counterclockwise.
 std::vector<Vector2<double>> corners_of(const Profile& profile) {
@@ -108,9 +185,21 @@ std::vector<Vector2<double>> corners_of(const Profile& profile) {
 
 class Search {
  public:
-  Search(const Sweep& sweep, double factor) : closed_(sweep.motion.is_closed()) {
-    corners_ = corners_of(sweep.profile);
-    for (auto& corner : corners_) corner = factor * corner;
+  /// `normal`: the axis that the profile is normal to.
+  Search(const Sweep& sweep, double factor, std::size_t normal)
+      : closed_(sweep.motion.is_closed()),
+        adapted_(sweep.motion.is_adapted()),
+        normal_(normal),
+        roll_(sweep.profile.circle_radius() ? nullptr : sweep.motion.roll()) {
+    if (adapted_) {
+      for (const auto& p : corners_of(sweep.profile)) {
+        corners_.push_back({0.0, factor * p.x, factor * p.y});
+      }
+    } else {
+      for (const auto& piece : sweep.profile.pieces()) {
+        for (const auto& p : piece.control_points) corners_.push_back(factor * p);
+      }
+    }
     for (const MotionPiece& piece : sweep.motion.pieces()) {
       auto whole = std::make_unique<Stretch>();
       whole->exact = exact_piece(piece);
@@ -118,6 +207,9 @@ class Search {
       whole->displacement = piece.displacement;
       whole->begin = piece.begin;
       whole->end = piece.end;
+      whole->piece = roots_.size();
+      first_.push_back(piece.begin);
+      length_.push_back(piece.end - piece.begin);
       roots_.push_back(std::move(whole));
     }
     // At least four stretches, so that neighbours on a closed path are on one side only.
@@ -171,14 +263,17 @@ class Search {
         return answer;
       }
       if (&a == &b) {
-        if (advances(a, a)) continue;
+        if (advances(a, a) != 0) continue;
         if (!halves(a)) return answer;
         open.push_back({a.half[0].get(), a.half[0].get(), false});
         open.push_back({a.half[1].get(), a.half[1].get(), false});
         open.push_back({a.half[0].get(), a.half[1].get(), true});
         continue;
       }
-      if (pair.adjacent ? advances(a, a) && advances(a, b) : separated(a, b)) continue;
+      if (pair.adjacent ? advances(a, a) != 0 && advances(a, a) == advances(a, b)
+                        : separated(a, b)) {
+        continue;
+      }
       if (!halves(a) || !halves(b)) return answer;
       for (int i = 0; i < 2; ++i) {
         for (int j = 0; j < 2; ++j) {
@@ -196,13 +291,14 @@ class Search {
       const double from = i == 0 ? 0.0 : 0.5, to = i == 0 ? 0.5 : 1.0;
       auto part = std::make_unique<Stretch>();
       const auto cut = [&](const auto& f) { return f.restricted(from, to); };
-      part->exact = {
-          cut(s.exact.weight), cut(s.exact.center), {}, cut(s.exact.e2), cut(s.exact.e3)};
+      part->exact = {cut(s.exact.weight), cut(s.exact.center), cut(s.exact.e1), cut(s.exact.e2),
+                     cut(s.exact.e3)};
       part->start = s.start;
       part->displacement = cut(s.displacement);
       const double half = 0.5 * (s.begin + s.end);
       part->begin = i == 0 ? s.begin : half;
       part->end = i == 0 ? half : s.end;
+      part->piece = s.piece;
       part->depth = s.depth + 1;
       s.half[i] = std::move(part);
     }
@@ -221,11 +317,20 @@ class Search {
         std::max({s.exact.center.degree(), s.exact.e2.degree(), s.exact.weight.degree()});
     const auto weight = s.exact.weight.elevated(degree);
     const auto center = s.exact.center.elevated(degree);
+    const auto e1 = s.exact.e1.elevated(degree);
     const auto e2 = s.exact.e2.elevated(degree), e3 = s.exact.e3.elevated(degree);
+    std::vector<Vector3<double>> rolled;
+    if (roll_ != nullptr) {
+      const double first = first_[s.piece], length = length_[s.piece];
+      rolled = rolled_corners(
+          corners_, roll_on(*roll_, s.piece, std::max(0.0, (s.begin - first) / length - margin),
+                            std::min(1.0, (s.end - first) / length + margin)));
+    }
     for (std::size_t i = 0; i <= degree; ++i) {
       if (!(weight[i] > 0.0)) return false;
-      for (const auto& p : corners_) {
-        const Vector3<double> at = (1.0 / weight[i]) * (center[i] + (p.x * e2[i] + p.y * e3[i]));
+      for (const auto& p : roll_ != nullptr ? rolled : corners_) {
+        const Vector3<double> at =
+            (1.0 / weight[i]) * (center[i] + (p.x * e1[i] + p.y * e2[i] + p.z * e3[i]));
         if (!is_finite(at)) return false;
         s.hull.push_back(at);
         s.sections.add(at);
@@ -233,33 +338,57 @@ class Search {
     }
     const auto velocity = s.displacement.derivative();
     for (const auto& c : s.displacement.coefficients()) s.path.add(s.start + c);
-    for (const auto& c : velocity.coefficients()) s.velocity.add(c);
-    const auto acceleration = velocity.derivative();
-    for (const auto& c : acceleration.coefficients()) s.acceleration.add(c);
+    if (adapted_) {
+      set_advance_along_path(s, velocity);
+    } else {
+      const auto& normal = normal_ == 0 ? s.exact.e1 : normal_ == 1 ? s.exact.e2 : s.exact.e3;
+      const auto onward =
+          product(velocity, normal, [](const auto& v, const auto& n) { return dot(v, n); });
+      s.advance = {Box::infinity, -Box::infinity};
+      for (const double c : onward.coefficients()) {
+        s.advance.low = std::min(s.advance.low, c);
+        s.advance.high = std::max(s.advance.high, c);
+      }
+      const auto turn = normal.derivative();
+      for (const auto& c : turn.coefficients()) s.back.add(c);
+    }
     constexpr double half = 0.5;
     s.middle = s.start + s.displacement.value(half);
     s.tangent = velocity.value(half);
     return true;
   }
 
-  /// No section of `a` meets one of a or of its neighbour `b` on account of what is between, for η
-  /// in b.
-  static bool advances(const Stretch& a, const Stretch& b) {
-    const Box turn = cross(b.velocity, cross(b.acceleration, b.velocity));
+  /// N = r'/|r'|, times |r'|⁴: only the part of r'' across r' carries back.
+  static void set_advance_along_path(Stretch& s, const DynamicPolynomial<Vector3<double>>& rate) {
+    Box velocity, acceleration;
+    for (const auto& c : rate.coefficients()) velocity.add(c);
+    const auto change = rate.derivative();
+    for (const auto& c : change.coefficients()) acceleration.add(c);
+    s.back = cross(velocity, cross(acceleration, velocity));
     double square = 0.0;  // ≤ |r'|²
     for (std::size_t i = 0; i < 3; ++i) {
-      const Range v = component(b.velocity, i);
+      const Range v = component(velocity, i);
       if (v.low > 0.0) square += v.low * v.low;
       if (v.high < 0.0) square += v.high * v.high;
     }
-    double most = 0.0, terms = 0.0;
+    s.advance = {square * square, Box::infinity};
+  }
+
+  /// Where no section of `a` meets one of a or of its neighbour `b` on account of what is between,
+  /// for η in b: 1 where the planes move on along their normal, -1 where against it, 0 undecided.
+  static int advances(const Stretch& a, const Stretch& b) {
+    double most = 0.0, least = 0.0, terms = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Range x{a.sections.low[i] - b.path.high[i], a.sections.high[i] - b.path.low[i]};
-      const Range t = component(turn, i);
-      most += times(x, t).high;
+      const Range t = component(b.back, i), part = times(x, t);
+      most += part.high;
+      least += part.low;
       terms += (a.sections.size() + b.path.size()) * std::max(std::abs(t.low), std::abs(t.high));
     }
-    return square * square * (1.0 - margin) > most + margin * terms;
+    const double off = margin * terms;
+    if (b.advance.low - margin * std::abs(b.advance.low) > most + off) return 1;
+    if (b.advance.high + margin * std::abs(b.advance.high) < least - off) return -1;
+    return 0;
   }
 
   /// Whether a plane lies between the hulls: across one of some directions.
@@ -296,18 +425,26 @@ class Search {
     return false;
   }
 
-  bool closed_, bounded_ = true;
-  std::vector<Vector2<double>> corners_;
+  bool closed_, adapted_, bounded_ = true;
+  std::size_t normal_;
+  const FrameRoll* roll_;
+  std::vector<Vector3<double>> corners_;
+  std::vector<double> first_, length_;  ///< ξ where pieces of the motion begin, and how much there
   std::vector<std::unique_ptr<Stretch>> roots_;
 };
 
 }  // namespace
 
 SweepContact contact_of(const Sweep& sweep, double factor) {
-  if (!sweep.motion.is_adapted() || !sweep.profile.is_planar() || sweep.motion.roll() != nullptr) {
-    return {};
+  if (sweep.motion.is_adapted()) {
+    return sweep.profile.is_planar() ? Search(sweep, factor, 0).run() : SweepContact{};
   }
-  return Search(sweep, factor).run();
+  SweepContact contact;
+  for (const std::size_t normal : normals_of(sweep.profile)) {
+    contact = Search(sweep, factor, normal).run();
+    if (contact.free) break;
+  }
+  return contact;
 }
 
 double largest_free_factor(const Sweep& sweep, const TubeRadius& tube, double most) {

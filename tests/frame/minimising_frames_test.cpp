@@ -18,6 +18,12 @@
 namespace hodograph::test {
 namespace {
 
+// Accuracies asked for, not tolerances: for short and for long series.
+constexpr double coarse = 0x1.0p-4;     // not a tolerance
+constexpr double moderate = 0x1.0p-20;  // not a tolerance
+constexpr double fine = 0x1.0p-30;      // not a tolerance
+constexpr double finest = 0x1.0p-36;    // not a tolerance
+
 /// As far apart as the bounds allow: a chord is shorter than its angle; the axes of both are within
 /// 2^-49 of orthonormal.
 void expect_within(const PreimageTable& path, double accuracy, const std::vector<double>& xi,
@@ -53,7 +59,7 @@ std::vector<double> spread(const PreimageTable& path, std::size_t count) {
 template <std::size_t n>
 void expect_everywhere(Random& random, std::size_t segments) {
   const PreimageTable path(random_path<SpatialPath<n>>(random, segments));
-  constexpr double accuracies[] = {0x1.0p-4, 0x1.0p-20, 0x1.0p-30, 0x1.0p-36};
+  constexpr double accuracies[] = {coarse, moderate, fine, finest};
   for (const double accuracy : accuracies) {
     for (const std::size_t count : {1UL, 2UL, 7UL, 40UL, 700UL}) {
       expect_within(path, accuracy, spread(path, count), random.uniform(-9.0, 9.0));
@@ -88,7 +94,7 @@ TEST(MinimisingFrames, GoRoundClosedLoops) {
   for (const double xi : {0.3, 1.0}) {
     for (const double psi : {0.7, 2.0}) {
       const auto loop = closed_loop({xi, psi}).value();
-      for (const double accuracy : {0x1.0p-10, 0x1.0p-30, 0x1.0p-36}) {
+      for (const double accuracy : {coarse, fine, finest}) {
         expect_within(loop, accuracy, spread(loop, 50));
       }
     }
@@ -108,7 +114,7 @@ TEST(MinimisingFrames, GoOnWhereTheEulerRodriguesFrameJumps) {
       path.coefficients[3 * k + i] = path.coefficients[3 * k + i] * turn;
     }
   }
-  for (const std::size_t count : {7UL, 100UL}) expect_within(path, 0x1.0p-30, spread(path, count));
+  for (const std::size_t count : {7UL, 100UL}) expect_within(path, fine, spread(path, count));
 }
 
 TEST(MinimisingFrames, KeepTheirBoundOnWildAndOnScaledPreimages) {
@@ -123,12 +129,12 @@ TEST(MinimisingFrames, KeepTheirBoundOnWildAndOnScaledPreimages) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (i == 0) path.coefficients[4] = path.coefficients[3];
     }
-    expect_within(path, 0x1.0p-20, spread(path, 30));
+    expect_within(path, moderate, spread(path, 30));
   }
   // Straight on: no rate at all.
   PreimageTable straight(random_path<SpatialPath<2>>(random, 2));
   for (auto& a : straight.coefficients) a = {2.0, 0.0, 0.0, 0.0};
-  expect_within(straight, 0x1.0p-30, spread(straight, 30));
+  expect_within(straight, fine, spread(straight, 30));
 }
 
 TEST(MinimisingFrames, RefuseWhatTheRollRefuses) {

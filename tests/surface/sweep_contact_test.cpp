@@ -28,6 +28,15 @@ Sweep along(const AnyPath& path, const Profile& profile, const std::vector<doubl
   return {Motion::along(path, frame, scale).value(), profile};
 }
 
+/// A quintic that bends and twists.
+SpatialPath<2> random_bend() {
+  BernsteinPolynomial<Quaternion<double>, 2> a;
+  a[0] = {1.0, 0.2, 0.1, 0.0};
+  a[1] = {0.9, 0.0, 0.3, 0.2};
+  a[2] = {1.0, -0.2, 0.2, 0.5};
+  return SpatialPath<2>::create({0.0, 1.0}, {{Vector3<double>{}, a, 1.0}}, false).value();
+}
+
 TubeRadius tube_of(const AnyPath& path) {
   return path.visit([](const auto& p) { return largest_tube_radius(p, tube_goal); });
 }
@@ -116,12 +125,71 @@ TEST(SweepContact, LetsATubeBeThickWhereThePathIsStraight) {
   EXPECT_FALSE(contact_of(thick).free);
 }
 
-TEST(SweepContact, AsksForARationalFrameAndAPathItIsAdaptedTo) {
+TEST(SweepContact, HoldsInFramesThatAreNotRational) {
   const AnyPath path(closed_loop({1.0, 2.0}).value());
   const PreimageTable table = PreimageTable::of(path).value();
-  const Sweep turned{Motion::along(path, least_twist_roll(table).value()).value(),
-                     rectangle(0.01, 0.01)};
-  EXPECT_FALSE(contact_of(turned).free);
+  constexpr double width = 0.3, height = 0.06;
+  std::size_t certain = 0, refused = 0;
+  const AnyPath open_path(random_bend());
+  const PreimageTable of_open = PreimageTable::of(open_path).value();
+  const Sweep sweeps[] = {
+      {Motion::along(path, least_twist_roll(table).value()).value(), rectangle(width, height)},
+      {Motion::along(open_path, FrameRoll::linear(of_open, 0.4, 2.0 * std::numbers::pi)).value(),
+       rectangle(10.0 * width, 10.0 * height)}};
+  for (const Sweep& sweep : sweeps) {
+    const double size = sweep.motion.is_closed() ? 1.0 : 10.0;
+    for (const double factor : {0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 3.0}) {
+      const SweepContact contact = contact_of(sweep, factor);
+      const bool meet = sections_meet(sweep, size * width, size * height, factor, 60);
+      EXPECT_FALSE(contact.free && meet) << factor;
+      certain += contact.free ? 1 : 0;
+      refused += meet ? 1 : 0;
+    }
+  }
+  EXPECT_GE(certain, 4U);
+  EXPECT_GE(refused, 2U);
+  // Rolled by nothing, it is the sweep in the Euler-Rodrigues frame.
+  const Sweep still{Motion::along(open_path, FrameRoll::linear(of_open, 0.0, 0.0)).value(),
+                    rectangle(0.1, 0.2)};
+  EXPECT_EQ(contact_of(still).free, contact_of(along(open_path, rectangle(0.1, 0.2))).free);
+}
+
+using Vectors = DynamicPolynomial<Vector3<double>>;
+using Quaternions = DynamicPolynomial<Quaternion<double>>;
+
+/// A square of side 1 about the origin in the plane across an axis, carried.
+Sweep family(std::size_t normal, const std::vector<Vector3<double>>& position,
+             const std::vector<Quaternion<double>>& rotation, const Vector2<double>& off = {}) {
+  const std::vector<Vector2<double>> square{{off.x - 0.5, off.y - 0.5},
+                                            {off.x + 0.5, off.y - 0.5},
+                                            {off.x + 0.5, off.y + 0.5},
+                                            {off.x - 0.5, off.y + 0.5}};
+  // A polygon is given across e₁; the rotation takes that to the axis wanted.
+  const Quaternion<double> to_axis =
+      normal == 0 ? Quaternion<double>{1.0, 0.0, 0.0, 0.0} : Quaternion<double>{1.0, 1.0, 1.0, 1.0};
+  std::vector<Quaternion<double>> turned;
+  for (const auto& q : rotation) turned.push_back(q * to_axis);
+  return {Motion::polynomial(Vectors(position), Quaternions(turned), DynamicPolynomial<double>{1.0})
+              .value(),
+          Profile::polygon(square).value()};
+}
+
+TEST(SweepContact, DecidesTubularFamilies) {
+  const Quaternion<double> one{1.0, 0.0, 0.0, 0.0};
+  // Moved across its plane, either way; within its plane; back to where it was.
+  EXPECT_TRUE(contact_of(family(0, {{0, 0, 0}, {2, 0.5, 0}}, {one})).free);
+  EXPECT_TRUE(contact_of(family(0, {{0, 0, 0}, {-2, 0.5, 0}}, {one})).free);
+  EXPECT_TRUE(contact_of(family(1, {{0, 0, 0}, {0, 2, 0}}, {one})).free);
+  EXPECT_FALSE(contact_of(family(0, {{0, 0, 0}, {0, 2, 0}}, {one})).free);
+  EXPECT_FALSE(contact_of(family(0, {{0, 0, 0}, {2, 0, 0}, {0, 0, 0}}, {one})).free);
+  // A screw about the way it goes: half a turn, w = cos, x = sin of a quarter.
+  const Quaternion<double> quarter{1.0, 1.0, 0.0, 0.0};
+  EXPECT_TRUE(contact_of(family(0, {{0, 0, 0}, {3, 0, 0}}, {one, quarter})).free);
+  // Turned by a quarter about k: as a ring where the axis is outside of it, which c = 0 makes so by
+  // the profile's place.
+  const Quaternion<double> about_k{1.0, 0.0, 0.0, 1.0};
+  EXPECT_TRUE(contact_of(family(0, {{0, 0, 0}}, {one, about_k}, {2.0, 0.0})).free);
+  EXPECT_FALSE(contact_of(family(0, {{0, 0, 0}}, {one, about_k}, {0.2, 0.0})).free);
 }
 
 }  // namespace

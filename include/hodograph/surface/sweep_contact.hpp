@@ -10,6 +10,11 @@
 // which for η = ξ is the condition 1 > κ (component of λ p along the principal normal). Sections
 // further apart do not meet where a plane separates the convex hulls of the control points of what
 // they sweep. The convex hull of the profile is taken in both: linear, so its corners decide.
+//
+// A roll beside the pieces' frames turns the sections in their planes: over each part of the path
+// the corners are replaced by points whose hull holds their arcs. In a tubular family whose profile
+// lies in a plane of the carried frame, with normal N (times any positive function), the same
+// theorem for (x - c)·N leaves c'·N > (x - c)·N', or both the other way round.
 #pragma once
 
 #include <cstddef>
@@ -27,15 +32,16 @@ struct SweepContact {
 
 /// Whether the sweep with its profile `factor` times as large is certainly free of contact with
 /// itself. Not free means: it meets itself, or its profile's convex hull does, or the search ended
-/// undecided. Only for motions along a path with a rational frame and a planar profile; a circle is
-/// replaced by a polygon round it (0.5 % larger). Rounding is kept off by a margin of 2^-40 of the
+/// undecided. For sweeps of planar profiles along paths in any frame, and tubular families whose
+/// profile lies in a coordinate plane of the carried frame; for other profiles never free. A circle
+/// is replaced by a polygon round it (0.5 % larger). Rounding is kept off by a margin of 2^-40 of the
 /// size of the numbers; the rounding of the joins at knots is not counted.
 /// Domain: factor > 0 and finite. Cost: some microseconds a pair; 10² to 10⁴ pairs, at most 10⁵.
 SweepContact contact_of(const Sweep& sweep, double factor = 1.0);
 
 /// The largest factor of the profile, up to 2^-10 of it, for which contact_of certifies the sweep,
 /// between those of the two tubes: the one inside which the sweep is certain, at least, and the
-/// `most` asked for. 0 where no factor is certified (a frame that is not rational, a corner).
+/// `most` asked for. 0 where no factor is certified (a corner).
 double largest_free_factor(const Sweep& sweep, const TubeRadius& tube, double most = 64.0);
 
 }  // namespace hodograph
