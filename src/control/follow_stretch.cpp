@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "follow_stretch.hpp"
 
+#include <limits>
 #include <string>
 
 #include "hodograph/foundation/accuracy.hpp"
@@ -91,7 +92,10 @@ std::optional<Fault> check_end_speed(const FollowedStretch& stretch, const Follo
     slowest = std::max(0.0, speed - braking * options.duration);
   }
   fastest = std::min(fastest, limits.speed);
-  if (wanted >= slowest && wanted <= fastest) return std::nullopt;
+  constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
+  if (wanted >= slowest * (1.0 - roundings) && wanted <= fastest * (1.0 + roundings)) {
+    return std::nullopt;
+  }
   const bool too_fast = wanted > fastest;
   return fault_of(
       FaultCode::outside_domain,

@@ -13,6 +13,10 @@
 
 namespace hodograph::ascent_detail {
 
+/// How much ξ grows in 1000 s on the orbit: about as much as the other numbers; of the scales from
+/// 0.1 to 10 this one took the fewest iterations (the others up to a third more).
+inline constexpr double framed_pace = 0.7;
+
 /// x = (ξ, η₂, η₃, v), u the thrust, the parameter T.
 template <class Path = ReferencePath<Quaternion<double>>>
 struct FramedModel {
@@ -74,16 +78,17 @@ struct FramedModel {
   template <class S>
   std::array<S, 3> end_values(const State<S>& x, const Parameters<S>&) const {
     const ReferenceValue<A, S> at = path->on(x[0]);
-    return {x[3] - at.speed * at.frame.e1.x, x[4] - at.speed * at.frame.e1.y,
-            x[5] - at.speed * at.frame.e1.z};
+    const S speed = framed_pace * at.speed;
+    return {x[3] - speed * at.frame.e1.x, x[4] - speed * at.frame.e1.y,
+            x[5] - speed * at.frame.e1.z};
   }
 };
 
-/// The orbit's path from the Moon's centre, in 1000 km, its knots in 1000 s.
+/// The orbit's path from the Moon's centre, in 1000 km, its knots by framed_pace.
 inline Result<AnyPath> path_from_the_moon(const AscentReference& reference,
                                           const PoweredModel& model) {
   PathNumbers numbers = AnyPath(reference.path()).numbers();
-  const double period = reference.period_s() / 1000.0, length = model.units.length;
+  const double period = framed_pace * reference.period_s() / 1000.0, length = model.units.length;
   const Vector3<double> moon = reference.moon();
   numbers.closed = false;  // its frame does not close
   for (double& knot : numbers.knots) knot *= period;

@@ -82,7 +82,7 @@ TEST(AscendCommand, StopsOnCtrlCAndLeavesFilesWhole) {
   const Program program;
   write_text(program.path("ascent.html"), "as before");
   const Outcome run = program.shell(
-      "timeout --preserve-status -s INT 1 hodograph ascend --problem time --guesses 1000 "
+      "timeout --preserve-status -s INT 2 hodograph ascend --problem time --guesses 1000 "
       "--report ascent.html");
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_NE(run.err.find("stopped on request"), std::string::npos) << run.err;

@@ -129,7 +129,8 @@ TEST(FollowProgram, RefusesWhatCannotBe) {
   expect_refused(with({"--offset", "1", "--independent", "xi"}), "take time independent");
   expect_refused(with({"--offset", "1", "--end-speed", "-1"}), "end_speed");
   expect_refused(with({"--offset", "1", "--start-offset", "1,2"}), "one offset");
-  expect_refused(with({"--offset", "1", "--to-xi", "0.5", "--end-speed", "2"}), "at most 1");
+  expect_refused(with({"--offset", "1", "--to-xi", "0.5", "--end-speed", "2"}),
+                 "it can be at most");
   expect_refused(with({"--offset", "1", "--horizon-step", "1e-6"}), "must be at least 0.001");
   expect_refused(with({"--offset", "1", "--hard"}), "--horizon-step");
   EXPECT_EQ(text_of_file(program.path("out.json")), "");

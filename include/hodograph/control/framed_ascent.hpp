@@ -9,8 +9,7 @@ namespace hodograph {
 
 /// The problem of powered_ascent, with the state (ξ, η₂, η₃, v) of path_coordinates.hpp, time
 /// independent: the same motion, constraints, objective and steps; the end is η = 0 with the
-/// orbit's velocity, at a ξ that is free. The path's knots count 1000 s, so that its speed is the
-/// orbit's in km/s.
+/// orbit's velocity, at a ξ that is free.
 ///
 /// From the same guesses it needs about as many iterations as rectangular coordinates, or fewer:
 /// the orbit is a straight line in these. Regular as long as h > 0; the orbit's tube, 7992 km,
