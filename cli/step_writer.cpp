@@ -6,18 +6,36 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 #endif
 
 namespace hodograph::cli {
 
 #if HODOGRAPH_HAS_CAD
-StepAnswer write_step(const Sweep& sweep, const StepRequest& request) {
-  // Beside the program in a build folder, in the library folder of the same prefix otherwise.
+namespace {
+
+/// The folder of the program, or of the extension module of Python, that this code is part of.
+std::filesystem::path own_folder() {
   std::error_code ignored;
-  const auto program = std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
+  Dl_info here{};
+  static constexpr char inside = 0;
+  if (dladdr(&inside, &here) != 0 && here.dli_fname != nullptr &&
+      std::string_view(here.dli_fname).find(".so") != std::string_view::npos) {
+    return std::filesystem::canonical(here.dli_fname, ignored).parent_path();
+  }
+  return std::filesystem::canonical("/proc/self/exe", ignored).parent_path();
+}
+
+}  // namespace
+
+StepAnswer write_step(const Sweep& sweep, const StepRequest& request) {
+  // Beside the program in a build folder (two above the Python package's), in the library folder of
+  // the same prefix otherwise.
+  std::error_code ignored;
+  const auto program = own_folder();
   const std::vector<std::filesystem::path> places = {
-      program / "hodograph-step.so",
+      program / "hodograph-step.so", program / ".." / ".." / "hodograph-step.so",
       program / ".." / HODOGRAPH_MODULE_DIRECTORY / "hodograph-step.so",
       std::filesystem::path(HODOGRAPH_MODULE_DIRECTORY) / "hodograph-step.so"};
   std::string why = "it is not beside the program";

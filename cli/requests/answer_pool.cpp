@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -18,6 +19,14 @@ void end_thread() {
 #ifdef HODOGRAPH_CLI_FLINT
   flint_cleanup();
 #endif
+}
+
+/// Where not even the sentence that says so could be put together.
+AnsweredLine no_memory() {
+  return {R"({"ok": false, "fault": {"code": "malformed_document", "sentence": "there is not )"
+          R"(enough memory", "index": null, "quantity": "memory", "value": null, "bound": null}})",
+          Fault{FaultCode::malformed_document, "there is not enough memory", std::nullopt, "memory",
+                std::nullopt, std::nullopt}};
 }
 
 }  // namespace
@@ -114,7 +123,11 @@ void AnswerPool::work() {
     lock.unlock();
     Line& line = slot->content.line;
     const std::size_t size = line.text.size();
-    slot->content.answer = answered_line(line.text, line.too_long);
+    try {
+      slot->content.answer = answered_line(line.text, line.too_long);
+    } catch (const std::bad_alloc&) {
+      slot->content.answer = no_memory();
+    }
     line.text = std::string();
     lock.lock();
     bytes_ += slot->content.answer.text.size();

@@ -122,7 +122,10 @@ class Writer {
         progress_(progress),
         size_(size),
         thread_([this] { run(); }) {}
-  ~Writer() { join(); }
+  ~Writer() {
+    if (thread_.joinable()) pool_.stop();  // something was thrown meanwhile
+    join();
+  }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
@@ -205,13 +208,7 @@ void run_batch(const BatchOptions& options) {
     bool pending = false;
     while (!InterruptGuard::requested() && !pool.stopped()) {
       if (!pending) {
-        LineReader::Next next = LineReader::Next::none_yet;
-        try {
-          next = reader.next(line, patience);
-        } catch (...) {
-          pool.stop();
-          throw;
-        }
+        const LineReader::Next next = reader.next(line, patience);
         if (next == LineReader::Next::end) break;
         pending = next == LineReader::Next::line && !is_blank(line);
       }
