@@ -111,8 +111,8 @@ Repropagation followed_again(const PoweredModel& model, const PoweredAscent& ans
     Real kept = std::numeric_limits<Real>::infinity();
     const auto follow = [&](const auto& self, Real time, int halvings) -> void {
       const State before = x;
-      auto stepper = odeint::make_controlled(step_tolerance, step_tolerance,
-                                             odeint::runge_kutta_fehlberg78<State, Real>());
+      static const odeint::runge_kutta_fehlberg78<State, Real> blank;  // static: copied with zeros
+      auto stepper = odeint::make_controlled(step_tolerance, step_tolerance, blank);
       result.steps += odeint::integrate_adaptive(stepper, slope, x, Real(0), time, time);
       const Real here = distance_kept(model, before, x, time, u);
       seen = std::min(seen, length_of(x, 0));
