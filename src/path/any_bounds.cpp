@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hodograph/path/any_bounds.hpp"
 
-#include "any_degree.hpp"
 #include "hodograph/path/bounds.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 
 namespace hodograph {
 

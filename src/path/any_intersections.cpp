@@ -2,8 +2,8 @@
 // Of hodograph/path/any_planar.hpp the intersections.
 #include <algorithm>
 
-#include "any_degree.hpp"
 #include "hodograph/path/any_planar.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 #include "hodograph/path/intersections.hpp"
 
 namespace hodograph {

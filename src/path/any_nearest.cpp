@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "any_degree.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 
 namespace hodograph {
 

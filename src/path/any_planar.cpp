@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hodograph/path/any_planar.hpp"
 
-#include "any_degree.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 
 namespace hodograph {
 

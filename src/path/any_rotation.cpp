@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Of hodograph/path/any_planar.hpp the rotation indices and areas.
-#include "any_degree.hpp"
 #include "hodograph/path/any_planar.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 #include "hodograph/path/signed_area.hpp"
 
 namespace hodograph {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "any_degree.hpp"
 #include "hodograph/path/any_bounds.hpp"
 #include "hodograph/path/bending_energy.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 #include "hodograph/path/torsion.hpp"
 
 namespace hodograph {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string>
 
-#include "../path/any_degree.hpp"
 #include "hodograph/path/any_bounds.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 
 namespace hodograph {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Of hodograph/surface/any_offset.hpp the cusps.
-#include "../path/any_degree.hpp"
+#include "hodograph/path/detail/any_degree.hpp"
 #include "hodograph/surface/any_offset.hpp"
 
 namespace hodograph {
