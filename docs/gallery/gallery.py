@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
+import hodograph
 from hodograph import plots
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -69,6 +70,12 @@ def view(ax, elevation, azimuth, zoom=1.15):
 def largest_difference(a, b):
     """The largest distance of points (n, d)."""
     return float(np.linalg.norm(np.asarray(a) - np.asarray(b), axis=-1).max())
+
+
+def largest_curvature(path):
+    """The largest |curvature| of a path, an upper bound."""
+    extremes = hodograph.curvature_extremes(path)
+    return max(-extremes.minimum.lower, extremes.maximum.upper)
 
 
 def direction(angle):

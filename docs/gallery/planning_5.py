@@ -7,7 +7,7 @@ Right, their curvature over the part of the length. In short ones the largest is
 """
 
 import numpy as np
-from gallery import direction, figure, legend, save
+from gallery import direction, figure, largest_curvature, legend, save
 
 import hodograph
 from hodograph import plots
@@ -15,7 +15,7 @@ from hodograph import plots
 
 def of_length(length):
     return hodograph.prescribed_length_curve([0, 0], direction(np.pi / 3), [1, 0],
-                                             direction(-3 * np.pi / 4), length)
+                                             direction(-3 * np.pi / 4), length).curve
 
 
 def draw():
@@ -26,10 +26,10 @@ def draw():
         path = of_length(length)
         plots.path(path, left, color=colour)
         plots.profile(path, ax=right, relative=True, color=colour, label=f"S = {length:.1f}")
-        s = path.parameter_at_arc_length(np.linspace(0.0, path.arc_length(), 2001))
-        kappa = np.abs(hodograph.curvature(path, s))
-        where = "at an end" if kappa.argmax() in (0, 2000) else "inside"
-        print(f"S = {path.arc_length():.6f}: largest curvature {kappa.max():.3f}, {where}")
+        most = largest_curvature(path)
+        ends = np.abs(hodograph.curvature(path, np.array([0.0, 1.0]))).max()
+        where = "at an end" if most < ends * (1.0 + 1e-6) else "inside"
+        print(f"S = {path.arc_length():.6f}: largest curvature {most:.6f}, {where}")
     legend(right, loc="lower center", ncols=2)
     right.set_ylim(-30, 0)
     return made

@@ -7,7 +7,7 @@ quintics each time the one that turns least. Right, their curvature.
 """
 
 import numpy as np
-from gallery import direction, figure, legend, save
+from gallery import direction, figure, largest_curvature, legend, save
 
 import hodograph
 from hodograph import plots
@@ -25,9 +25,8 @@ def draw():
         path = of_speed(speed)
         plots.path(path, left, color=colour, label=f"{speed:.1f}")
         plots.profile(path, ax=right, relative=True, color=colour)
-        kappa = np.abs(hodograph.curvature(path, np.linspace(0.0, 1.0, 20001)))
         print(f"end speed {speed:.1f}: length {path.arc_length():.6f}, "
-              f"largest curvature {kappa.max():.3f}")
+              f"largest curvature {largest_curvature(path):.6f}")
     legend(left, loc="lower center", ncols=4, title="end speed", title_fontsize=8)
     left.set_ylim(-0.62, 0.3)
     return made

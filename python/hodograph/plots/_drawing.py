@@ -174,8 +174,8 @@ def line_options(given: dict[str, Any], **defaults: Any) -> dict[str, Any]:
 
 
 def a_path(path: Any, spatial: bool | None = None) -> Path:
-    """The path itself, or that of a result that has one (a fit, a plan)."""
-    inner = path if isinstance(path, Path) else getattr(path, "path", None)
+    """The path itself, or that of a result that has one (a fit, a plan, a climb)."""
+    inner = path if isinstance(path, Path) else getattr(path, "path", getattr(path, "curve", None))
     if not isinstance(inner, Path):
         raise refuse(f"a Path is drawn, or something with a `path`, not {type(path).__name__}",
                      "path")
