@@ -55,7 +55,7 @@ Result<std::vector<RationalOffsetPiece>> pieces_of(const PlanarPath<n>& path, do
 Result<std::vector<RationalOffsetPiece>> rational_offset(const AnyPath& path, double distance) {
   if (path.dimension() != 2) return path_detail::of_other_dimension("an offset", 3);
   using namespace path_detail;
-  return in_degree<Planar, 0, 1, 2, 3, 4, 8, maximum_dynamic_degree>(
+  return in_degree<Planar, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, maximum_dynamic_degree>(
       path, [&](const auto& p) { return pieces_of(p, distance); });
 }
 

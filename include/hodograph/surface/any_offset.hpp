@@ -23,8 +23,7 @@ struct RationalOffsetPiece {
   RationalBezier curve;
 };
 
-/// The pieces of the offset in sequence, of degree 4m + 1 where m is the first of the preimage
-/// degrees 0 to 4, 8 and 12 that is at least the path's.
+/// The pieces of the offset in sequence, of degree 4n + 1 for a path of preimage degree n.
 /// Faults: also not_finite (index of the segment: a piece leaves the range of numbers).
 Result<std::vector<RationalOffsetPiece>> rational_offset(const AnyPath& path, double distance);
 
