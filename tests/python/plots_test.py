@@ -85,8 +85,8 @@ class Paths(unittest.TestCase):
                          ("k", 3, "way"))
 
     def test_a_path_inside_a_result_is_drawn(self):
-        ax = plots.path(SimpleNamespace(path=_PLANAR), _axes())
-        self.assertEqual(len(ax.lines), 1)
+        for result in (SimpleNamespace(path=_PLANAR), SimpleNamespace(curve=_PLANAR)):
+            self.assertEqual(len(plots.path(result, _axes()).lines), 1)
 
 
 class CurvatureComb(unittest.TestCase):
@@ -129,6 +129,15 @@ class Frames(unittest.TestCase):
         pieces = _pieces(ax.collections[0])
         assert_allclose(pieces[:, 1] - pieces[:, 0], np.tile([0.0, 1.0], (5, 1)), atol=_ROUNDING)
         self.assertEqual(ax.collections[0].get_linewidths()[0], 2.0)
+
+
+    def test_a_roll_is_drawn(self):
+        roll = hodograph.frenet_roll(_SPATIAL)
+        ax = plots.frames(_SPATIAL, _axes(True), frame=roll, count=6, which=(2,), length=1.0)
+        pieces = _pieces(ax.collections[0])
+        assert_allclose(pieces[:, 1, :2], 0.0, atol=1e-4)  # a helix: towards its axis
+        with self.assertRaisesRegex(hodograph.HodographError, "a FrameRoll or a callable, not int"):
+            plots.frames(_SPATIAL, _axes(True), frame=3)
 
 
 class Profiles(unittest.TestCase):
