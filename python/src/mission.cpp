@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hodograph/path/any_sampling.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/values.hpp"
 
@@ -118,19 +119,14 @@ void bind_missions(py::module_& m) {
   m.def(
       "waypoints_along",
       [](const AnyPath& path, double tolerance, double altitude) {
+        require_finite({&altitude, 1}, "altitude");
         return unlocked([&] {
           std::vector<Vector3<double>> points;
-          path.visit([&](const auto& typed) {
-            const auto along = polyline_parameters(typed, tolerance).value();
-            points.reserve(along.size());
-            for (const double xi : along) {
-              const auto p = typed.position(xi);
-              points.push_back({p[0], p[1], altitude});
-              if constexpr (std::remove_cvref_t<decltype(p)>::dimension == 3) {
-                points.back().z += p[2];
-              }
-            }
-          });
+          std::vector<double> at(path.dimension());
+          for (const double xi : polyline_parameters(path, tolerance).value()) {
+            path.position(xi, at);
+            points.push_back({at[0], at[1], altitude + (at.size() > 2 ? at[2] : 0.0)});
+          }
           return points;
         });
       },

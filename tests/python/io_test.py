@@ -32,8 +32,9 @@ def refusal(test, call):
 
 
 class Documents(unittest.TestCase):
-    def document(self):
-        path = hodograph.lifted(hodograph.planar_spline([[0, 0], [1, 2], [3, 1]]))
+    def document(self, planar=True):
+        path = hodograph.planar_spline([[0, 0], [1, 2], [3, 1]])
+        path = path if planar else hodograph.lifted(path)
         promises = Promises(
             continuity=hodograph.ContinuityOrders(position=2, preimage=1, frame=1,
                                                   angular_velocity=0),
@@ -44,30 +45,32 @@ class Documents(unittest.TestCase):
             clearance=hodograph.ClearancePromise(
                 world="city.geojson", reach=2.5,
                 obstacles=[hodograph.ObstacleDistance(3, Enclosure(0.5, 0.75))],
-                bounds=Enclosure(1.0, 1.25)),
-            helix=hodograph.HelixPromise(
+                bounds=Enclosure(1.0, 1.25)) if planar else None,
+            helix=None if planar else hodograph.HelixPromise(
                 axis=[0, 1, 0], sines=[hodograph.HelixSine(0, Enclosure(0.25, 0.5))]))
         return PathDocument(
             path, name="route", length_unit="m", parameter_unit="s",
-            roll=hodograph.LinearRoll(0.0, 0.125, 0.5),
+            roll=None if planar else hodograph.LinearRoll(0.0, 0.125, 0.5),
             provenance=hodograph.Provenance(program="test", source="points", method="spline",
                                             choice="chords", tolerance=1e-9),
             promises=promises)
 
     def test_hold_every_member_and_promise(self):
-        document = self.document()
-        text = hodograph.to_json(document)
-        stated = json.loads(text)
-        self.assertEqual((stated["format"], stated["version"]),
-                         (hodograph.document_format, hodograph.document_version))
-        self.assertEqual(stated["promises"]["curvature_bound"], 4.0)
-        for again in (hodograph.parse_document(text), pickle.loads(pickle.dumps(document))):
-            self.assertEqual(again.path, document.path)
-            self.assertEqual(again.provenance, document.provenance)
-            self.assertEqual(again.promises, document.promises)
-            self.assertEqual((again.name, again.length_unit, again.parameter_unit),
-                             ("route", "m", "s"))
-            self.assertEqual(again.roll.angle(2.0), 1.125)
+        for planar in (True, False):
+            document = self.document(planar)
+            text = hodograph.to_json(document)
+            stated = json.loads(text)
+            self.assertEqual((stated["format"], stated["version"]),
+                             (hodograph.document_format, hodograph.document_version))
+            self.assertEqual(stated["promises"]["curvature_bound"], 4.0)
+            for again in (hodograph.parse_document(text), pickle.loads(pickle.dumps(document))):
+                self.assertEqual(again.path, document.path)
+                self.assertEqual(again.provenance, document.provenance)
+                self.assertEqual(again.promises, document.promises)
+                self.assertEqual((again.name, again.length_unit, again.parameter_unit),
+                                 ("route", "m", "s"))
+                if not planar:
+                    self.assertEqual(again.roll.angle(2.0), 1.125)
         self.assertTrue(PathDocument(document.path).promises.empty())
         self.assertIn("Promises(continuity=ContinuityOrders(position=2", repr(document.promises))
 

@@ -42,7 +42,7 @@ class Worlds(unittest.TestCase):
         self.assertGreater(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)), 0.0)  # anticlockwise
         self.assertEqual([repair.kind.name for repair in world.repairs],
                          ["repeated_point", "turned_ring"])
-        self.assertIn("shed", str(world.repairs[0]))
+        self.assertIn("point 2 repeats", str(world.repairs[0]))
         self.assertEqual(world.vertex_count, 8)
         self.assertEqual(world.name_of(0), "obstacle 0 ('shed')")
         self.assertEqual(world.name_of(WorldVertex.bounds), "the bounds")

@@ -56,7 +56,7 @@ class Timing(unittest.TestCase):
             self.assertLessEqual(law.speed_at(t).max(), law.most_speed)
         self.assertEqual(self.laws[0], self.laws[0].delayed(0.0))
         self.assertEqual(self.laws[0].end_time, 4.0)
-        self.assertEqual(self.laws[2].duration, 4.0 + 2.0 + 2.5)  # rise 4, fall 1, cruise 5
+        self.assertEqual(self.laws[2].duration, 4.0 + 2.0 + 2.0)  # over 4, 4 and 2
 
     def test_laws_are_their_pieces(self):
         for law in self.laws:
@@ -242,20 +242,35 @@ class Swarms(unittest.TestCase):
         self.assertEqual(again.paths[2].path, made.paths[2].path)
         self.assertEqual(pickle.loads(pickle.dumps(vehicles[1])).departure, 1.0)
 
+    def lanes(self, ends):
+        """Four vehicles side by side whose ends are those of others."""
+        return [hodograph.ArrivingVehicle(str(k), [0, 2 * k], [1, 0.5], [10, 2 * end], [1, 0.5],
+                                          radius=0.05, most_curvature=0.7)
+                for k, end in enumerate(ends)]
+
     def test_the_least_arrivals_keep_what_they_promise(self):
-        vehicles = self.arriving(most_curvature=1.0)
+        vehicles = self.lanes([0, 1, 2, 3])
         first = hodograph.least_arrival(vehicles)
         apart = hodograph.least_separated_arrival(vehicles, clearance=0.1)
+        self.assertLessEqual(hodograph.earliest_arrival(vehicles), first.arrival)
         self.assertLessEqual(first.arrival, apart.arrival)
-        for made in (first, apart):
-            for path in made.paths:
-                xi = np.linspace(path.path.xi_begin, path.path.xi_end, 500)
-                self.assertLessEqual(np.abs(hodograph.curvature(path.path, xi)).max(), 1.0)
+        for path in first.paths:
+            xi = np.linspace(path.path.xi_begin, path.path.xi_end, 500)
+            self.assertLessEqual(np.abs(hodograph.curvature(path.path, xi)).max(), 0.7)
         self.assertEqual(hodograph.close_pairs(apart.vehicles, clearance=0.1), [])
-        kept = hodograph.deconflict_arrival(vehicles, first.arrival, 1.0, 4, clearance=0.1,
-                                            latest_excess=0.5, later_arrivals=8)
+
+    def test_vehicles_that_cross_are_kept_apart_by_departures(self):
+        vehicles = self.lanes([1, 0, 3, 2])
+        together = hodograph.least_arrival(vehicles)
+        self.assertEqual(len(hodograph.close_pairs(together.vehicles, clearance=0.1)), 2)
+        kept = hodograph.deconflict_arrival(vehicles, together.arrival + 0.5, 2.0, 8,
+                                            clearance=0.1)
         self.assertEqual(hodograph.close_pairs(kept.plan.vehicles, clearance=0.1), [])
+        self.assertGreater(kept.delays.max(), 0.0)
         self.assertGreater(kept.effort.pairs_checked, 0)
+        with self.assertRaises(HodographError) as caught:
+            hodograph.least_separated_arrival(vehicles, clearance=0.1)
+        self.assertEqual(caught.exception.code, "not_separated")
 
     def test_refusals(self):
         vehicles = self.arriving()
