@@ -9,7 +9,7 @@ exactly: at equal t (dots, with their tangents) they are parallel, up to the sen
 
 import numpy as np
 from exact import rotated
-from gallery import BLUE, GREEN, ORANGE, figure, save, strokes, title, view
+from gallery import BLUE, GREEN, ORANGE, bare, figure, save, strokes, title, view
 
 import hodograph
 from hodograph import plots
@@ -30,7 +30,8 @@ def draw():
     left.plot(*tangents.T, color=ORANGE, linewidth=2.0)
     left.plot(*tangents[marks].T, "o", color="#1b2733", markersize=3)
     left.set_box_aspect((1, 1, 1))
-    view(left, 20, -50, 1.2)
+    view(left, 20, -50, 1.3)
+    bare(left)
     title(left, "tangent indicatrix")
     curves = [hodograph.RationalPhCurve.of_solution(space.preimage, space.alpha, b)
               for b in space.basis[:3]]
@@ -41,7 +42,8 @@ def draw():
         right.plot(*r[marks].T, "o", color="#1b2733", markersize=3)
         strokes(right, r[marks], r[marks] + 0.15 * tangents[marks], color=colour, linewidth=0.8)
     plots.equal_scales(right)
-    view(right, 20, -50, 1.2)
+    view(right, 20, -50, 1.4)
+    bare(right)
     title(right, "curves")
     print(f"deg B up to {_DEGREE}: dimension {space.dimension} = {space.rational_dimension} truly "
           f"rational + {space.polynomial_dimension} polynomial + {space.constant_dimension} points")

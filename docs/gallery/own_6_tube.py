@@ -8,7 +8,7 @@ where a path is bent more than that it would be the least radius of curvature.
 """
 
 import numpy as np
-from gallery import ORANGE, figure, save, view
+from gallery import ORANGE, bare, figure, save, view
 
 import hodograph
 from hodograph import plots
@@ -36,6 +36,8 @@ def draw():
         right.plot(*path.position(tube.distance.xi).T, "o-", color=ORANGE, markersize=4,
                    linewidth=1.0)
     view(right, 42, -60, 1.35)
+    bare(left)
+    bare(right)
     print(f"{path.segment_count} segments, length {path.arc_length():.6f}; largest radius "
           f"{tube.radius.lower:.6f}, limited by {tube.limit.name}; least radius of curvature "
           f"{1.0 / tube.curvature.upper:.6f}")

@@ -9,7 +9,7 @@ every instant.
 """
 
 import numpy as np
-from gallery import figure, legend, save, view
+from gallery import bare, figure, legend, save, view
 from scenes import arriving
 
 import hodograph
@@ -24,7 +24,8 @@ def draw():
     fleet = apart.plan.vehicles
     made, (left, right) = figure(1, 2, width=10, height=4.4, spatial={0}, width_ratios=[1.2, 1])
     plots.swarm(fleet, left, time=0.5 * arrival, linewidth=0.9)
-    view(left, 32, -60, 1.25)
+    view(left, 32, -60, 1.4)
+    bare(left)
     required = data["clearance"] + 2.0 * fleet[0].radius
     plots.separations(fleet, right, required=required, samples=300, highlight=3)
     arrival = apart.plan.arrival
