@@ -138,6 +138,12 @@ double tolerance_of(const Sweep& sweep, const SweepRequest& request) {
                            : fine_enough * sweep.profile.extent() * sweep.motion.largest_scale();
 }
 
+void set_contact(MadeSweep& made) {
+  const SweepContact contact = contact_of(made.sweep);
+  made.certainly_free = contact.free;
+  if (!contact.free && contact.pairs > 0) made.may_meet = {contact.xi[0], contact.xi[1]};
+}
+
 MadeSweep made_family(const AnyPath& path, const SweepRequest& request) {
   if (request.frame != "automatic" || request.gamma || !request.found_gamma.empty()) {
     throw Error(unsupported("a tubular family turns the path itself and takes no frame", "frame"));
@@ -153,7 +159,7 @@ MadeSweep made_family(const AnyPath& path, const SweepRequest& request) {
       std::nullopt,
       {}};
   made.free_factor = 0.0;
-  made.certainly_free = contact_of(made.sweep).free;
+  set_contact(made);
   made.tolerance = tolerance_of(made.sweep, request);
   return made;
 }
@@ -218,7 +224,11 @@ MadeSweep made_sweep(const AnyPath& path, const SweepRequest& request) {
   MadeSweep made{Sweep{std::move(motion), std::move(profile)}, frame, gamma, {}};
   made.tube = tube_radius_of(in_space(path));
   made.in_tube = is_certainly_free(made.sweep, made.tube);
-  made.certainly_free = made.in_tube || contact_of(made.sweep).free;
+  if (made.in_tube) {
+    made.certainly_free = true;
+  } else {
+    set_contact(made);
+  }
   if (!request.allow_contact && !made.certainly_free) {
     if (const auto fault = contact_fault(made.sweep, made.tube)) throw Error(*fault);
   }
@@ -275,6 +285,7 @@ Json json_of(const MadeSweep& made, const MeasuredMesh& mesh) {
   } else {
     json["certainly_free_of_contact"] = made.certainly_free;
   }
+  if (made.may_meet) json["may_meet"] = *made.may_meet;
   json["mesh"] = {{"tolerance", made.tolerance},
                   {"deviation", mesh.made.deviation + mesh.rounding},
                   {"rings", mesh.made.rings},
@@ -303,6 +314,18 @@ Json json_of(const MadeSweep& made, const MeasuredMesh& mesh) {
   return json;
 }
 
+namespace {
+
+/// ", undecided next to xi 0.2 and 0.7" where that is known.
+std::string place_of_contact(const MadeSweep& made) {
+  if (!made.may_meet) return "";
+  const auto& [first, second] = *made.may_meet;
+  return ", undecided next to xi " + to_six_digits(first) +
+         (first == second ? "" : " and " + to_six_digits(second));
+}
+
+}  // namespace
+
 std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
                                                          const MeasuredMesh* mesh,
                                                          const std::string& unit) {
@@ -310,8 +333,9 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
   std::vector<std::pair<std::string, std::string>> rows;
   if (made.frame.empty()) {
     rows.emplace_back("Surface", "a tubular family");
-    rows.emplace_back("Contact with itself",
-                      made.certainly_free ? "none, certified" : "not excluded");
+    rows.emplace_back("Contact with itself", made.certainly_free
+                                                 ? "none, certified"
+                                                 : "not excluded" + place_of_contact(made));
   } else {
     rows.emplace_back("Frame", made.frame + (made.gamma ? ", gamma " + to_six_digits(*made.gamma)
                                                         : std::string()));
@@ -328,7 +352,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const MadeSweep& made,
         : made.certainly_free
             ? "none, certified by the profile's extent in each direction"
             : "not excluded: it reaches " + to_six_digits(outer_radius(made.sweep)) + in_unit +
-                  " from the path" +
+                  " from the path" + place_of_contact(made) +
                   (made.free_factor > 0.0
                        ? "; none, certified, " + to_six_digits(made.free_factor) + " times as large"
                        : std::string()));

@@ -3,6 +3,7 @@
 // `sweep` and the request "sweep" have in common.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -51,6 +52,8 @@ struct MadeSweep {
   std::optional<double> gamma{};
   TubeRadius tube;  ///< means nothing for a family
   bool certainly_free = false;
+  /// Where contact is not excluded: two parameters next to which sections may meet.
+  std::optional<std::array<double, 2>> may_meet{};
   bool in_tube = false;      ///< because it stays within the tube's radius
   double free_factor = 1.0;  ///< where it is not certain: the profile's, for which it would be
   double tolerance = 0.0;
