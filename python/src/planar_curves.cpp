@@ -2,6 +2,7 @@
 // Single planar quintics: Hermite data, prescribed lengths, corners:
 // construction/planar_hermite.hpp, prescribed_length.hpp, corner.hpp, waypoint_tangents.hpp.
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +64,14 @@ Corner corner_at(const Doubles& before, const Doubles& corner, const Doubles& af
 }
 Rounded rounded_of(const RoundedCorner& made) {
   return {path_of(made.curve), made.leg, made.shape};
+}
+
+/// Throws Error (not_finite) unless it is a number.
+double finite(double x, const char* name) {
+  if (std::isfinite(x)) return x;
+  throw Error(Fault{FaultCode::not_finite,
+                    std::string(name) + " should be a finite number; got " + to_text(x),
+                    std::nullopt, name, x, std::nullopt});
 }
 
 void bind_types(py::module_& m) {
@@ -145,7 +154,8 @@ void bind_hermite(py::module_& m) {
       "Positions (2, 2) and derivatives (2, 2) at the ends of a quintic with these control "
       "points.");
   m.def(
-      "direction_of_angle", [](double theta) { return array_of(direction_of_angle(theta)); },
+      "direction_of_angle",
+      [](double theta) { return array_of(direction_of_angle(finite(theta, "theta"))); },
       py::arg("theta"), "(cos theta, sin theta).");
   m.def(
       "prescribed_length_curve",
@@ -237,9 +247,14 @@ void bind_corners(py::module_& m) {
       },
       py::arg("before"), py::arg("corner"), py::arg("after"), py::kw_only(), py::arg("h") = 1.0,
       "The largest one that the lines have room for.");
-  m.def("corner_clearance_factor", &corner_clearance_factor, py::arg("turning_angle"),
-        "The clearance from an obstacle's vertex, over the smallest turning radius, that a corner "
-        "needs.");
+  m.def(
+      "corner_clearance_factor",
+      [](double turning_angle) {
+        return corner_clearance_factor(finite(turning_angle, "turning_angle"));
+      },
+      py::arg("turning_angle"),
+      "The clearance from an obstacle's vertex, over the smallest turning radius, that a corner "
+      "needs.");
   m.def(
       "rounded_polyline_of_legs",
       [](const Doubles& points, const Doubles& legs, bool closed) -> AnyPath {

@@ -238,6 +238,10 @@ class Refusals(unittest.TestCase):
         self.expect("outside_domain", lambda: hodograph.climb_curve(*ends, 2.0))
         self.expect("not_finite", lambda: hodograph.climb_curve(*ends, nan))
         self.expect("mismatched_size", lambda: hodograph.climb_curve([0, 0], *ends[1:], 0.2))
+        self.expect("not_finite", lambda: hodograph.direction_of_angle(nan))
+        self.expect("not_finite", lambda: hodograph.corner_clearance_factor(nan))
+        self.expect("outside_domain",
+                    lambda: hodograph.hermite_data_of_control_points(*[[0, 0]] * 4, h=0.0))
         self.expect("too_few", lambda: hodograph.climb_route([]))
         point = [[0, 0, 0], [1, 0, 0]]
         self.expect("mismatched_size", lambda: hodograph.hermite_curve(point, point[:1]))
