@@ -19,7 +19,9 @@
 namespace hodograph {
 namespace {
 
-constexpr RangeGoal goal{0x1p-20};
+/// Far below what a wrong degree would change, far above rounding.
+constexpr double relative_width = 0x1p-20;
+constexpr RangeGoal goal{relative_width};
 /// Elevation moves coefficients by a few ε, and conditions of the answers enlarge that.
 constexpr double agreement = 0x1p-30;
 
