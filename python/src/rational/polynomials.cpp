@@ -315,8 +315,8 @@ void bind_roots(py::module_& m) {
 
 void bind_polynomials(py::module_& m) {
   bind_scalar(m);
+  bind_vector(m);  // before what returns it, so that signatures name it
   bind_quaternion(m);
-  bind_vector(m);
   bind_roots(m);
 }
 
