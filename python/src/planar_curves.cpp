@@ -144,6 +144,11 @@ void bind_hermite(py::module_& m) {
   m.def(
       "hermite_data_of_control_points",
       [](const Doubles& p0, const Doubles& p1, const Doubles& p4, const Doubles& p5, double h) {
+        if (!(finite(h, "h") > 0.0)) {
+          throw Error(Fault{FaultCode::outside_domain,
+                            "a parameter interval has a positive length; got " + to_text(h),
+                            std::nullopt, "h", h, 0.0});
+        }
         const auto data =
             hermite_data_of_control_points(point_of<Point>(p0, "p0"), point_of<Point>(p1, "p1"),
                                            point_of<Point>(p4, "p4"), point_of<Point>(p5, "p5"), h);
