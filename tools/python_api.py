@@ -132,7 +132,7 @@ class _Names:
         if name in ("Optional", "Union"):
             if name == "Optional":
                 parts.append("None")
-            return " | ".join(dict.fromkeys(" | ".join(parts).split(" | ")))
+            return " | ".join(dict.fromkeys(_split(" | ".join(parts), "|")))
         if name in ("List", "list", "Sequence"):
             if not is_parameter:
                 return f"list[{parts[0]}]"
@@ -364,7 +364,7 @@ def _class_lines(cls, names):
     listed = ", ".join(names._own(f"{base.__module__}.{base.__name__}") for base in bases)
     lines = [f"class {cls.__name__}" + (f"({listed})" if listed else "") + ":"]
     for name, member in sorted(cls.__dict__.items(), key=_order):
-        if name in _SKIPPED or type(member).__name__ == "wrapper_descriptor":
+        if name in _SKIPPED or name.startswith("__pybind11") or type(member).__name__ == "wrapper_descriptor":
             continue
         made = _member_lines(name, member, names)
         if name in ("__copy__", "__deepcopy__"):
@@ -432,7 +432,7 @@ def _module_stub(module):
                 continue
             elif callable(member):
                 bodies.append((2, _function_lines(name, member, names)))
-            elif getattr(type(member), "__module__", "").startswith("hodograph"):
+            elif _is_enum(type(member)):
                 continue  # an enumerator beside its type
             else:
                 bodies.append((1, [f"{name}: {_value_type(member, names)}"]))

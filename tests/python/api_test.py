@@ -77,6 +77,7 @@ class Types(unittest.TestCase):
         listed = "|".join(sorted(own))
         problems = [line for line in done.stdout.splitlines()
                     if not line.endswith("is inconsistent, metaclass differs")
+                    and ".__pybind11_" not in line
                     and not line.endswith('stub does not have *args argument "args"')
                     and not (re.match(r"hodograph\.\w+\.\w+", line)
                              and not re.match(rf"hodograph\.({listed})\.", line))]
