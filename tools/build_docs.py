@@ -247,6 +247,11 @@ def write_python_interface(folder):
                 continue
             made = known[f"{name}.{member}"]
             got = getattr(thing, member)
+            if isinstance(got, type):  # a type inside a type
+                lines += [f"   .. py:class:: {member}", ""] + block(documentation_of(got), 6)
+                lines += [f"      .. py:attribute:: {entry}\n"
+                          for entry in getattr(got, "__members__", {})]
+                continue
             if any("property" in kind for _, kind in made):
                 result = made[0][0].rpartition(" -> ")[2]
                 lines += [f"   .. py:property:: {member}", f"      :type: {result}", ""]
