@@ -38,7 +38,7 @@ def main():
             return float(rival.stdout.readline())
 
         cpp("position")  # by now the document is there
-        path = hodograph.load_document(str(document))
+        path = hodograph.load_document(str(document)).path
         part = np.arange(_COUNT) / _COUNT
         xi = path.xi_begin + (path.xi_end - path.xi_begin) * part
         s = path.arc_length() * part
