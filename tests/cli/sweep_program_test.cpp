@@ -80,7 +80,7 @@ TEST(ProgramSweep, WritesTracksAndTubularFamilies) {
       program.run({"sweep", "path.json", "--along", "0,0,0,0,0,3", "-o", "wall.obj"});
   EXPECT_EQ(family.code, 0) << family.err;
   EXPECT_NE(family.out.find("a tubular family"), std::string::npos);
-  EXPECT_NE(family.out.find("Area       6\n"), std::string::npos) << family.out;
+  EXPECT_NE(family.out.find("Area                 6\n"), std::string::npos) << family.out;
   expect_refused(program.run({"sweep", "path.json", "--along", "0,0,0,1", "-o", "x.stl"}),
                  "it takes 3 for each coefficient");
   expect_refused(program.run({"sweep", "path.json", "--track", "1,0", "--circle", "1"}),
