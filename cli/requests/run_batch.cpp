@@ -87,9 +87,9 @@ void pass_over(LineReader& reader, BatchOutput& output, OnFault on_fault, Tally&
                tally.lines);
       }
     } while (is_blank(line));
-    const std::string here = "line " + std::to_string(line.number);
     if (line.fingerprint != record.request) {
-      refuse(here + " of the requests is not what was answered in '" + partial +
+      refuse("line " + std::to_string(line.number) +
+                 " of the requests is not what was answered in '" + partial +
                  "': give the same requests, or remove that file to start afresh",
              line.number - 1);
     }
@@ -99,7 +99,7 @@ void pass_over(LineReader& reader, BatchOutput& output, OnFault on_fault, Tally&
     if (!fits) {
       const bool reported = record.fate == LineFate::faulted;
       refuse("the run to go on with " + std::string(reported ? "reported" : "skipped") +
-                 " the fault of " + here + ": go on with --on-fault " +
+                 " the fault of line " + std::to_string(line.number) + ": go on with --on-fault " +
                  (reported ? "report" : "skip"),
              line.number - 1);
     }
@@ -214,6 +214,7 @@ void run_batch(const BatchOptions& options) {
       }
       if (pending && pool.has_room(patience)) {
         pool.submit(std::move(line));
+        line = Line();
         pending = false;
       }
     }

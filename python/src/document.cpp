@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "python/src/bindings.hpp"
@@ -151,9 +152,10 @@ void bind_promises(py::module_& m) {
                   std::optional<ClearancePromise> clearance, std::optional<HelixPromise> helix) {
                  std::optional<Vector3<double>> place;
                  if (end) place = point_of<Vector3<double>>(*end, "end");
-                 return Promises{
-                     continuity,      error, arc_length,        smallest_speed, largest_speed,
-                     curvature_bound, place, largest_curvature, clearance,      helix};
+                 return Promises{continuity,      std::move(error),  arc_length,
+                                 smallest_speed,  largest_speed,     curvature_bound,
+                                 place,           largest_curvature, std::move(clearance),
+                                 std::move(helix)};
                }),
            py::kw_only(), py::arg("continuity") = py::none(), py::arg("error") = py::none(),
            py::arg("arc_length") = py::none(), py::arg("smallest_speed") = py::none(),
