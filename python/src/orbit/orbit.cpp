@@ -145,27 +145,27 @@ void bind_system(py::module_& m) {
         py::arg("system"), py::arg("positions"), "Its Hessian, (..., 3, 3), 1/TU^2.");
   m.def(
       "three_body_acceleration",
-      [](const ThreeBodySystem& system_, const Doubles& state) {
+      [](const ThreeBodySystem& bodies, const Doubles& state) {
         require_finite(numbers(state), "state");
         const State s = state_of(state);
-        const auto a = three_body_acceleration(system_, s);
+        const auto a = three_body_acceleration(bodies, s);
         return Vector3<double>{static_cast<double>(a.x), static_cast<double>(a.y),
                                static_cast<double>(a.z)};
       },
       py::arg("system"), py::arg("state"), "The acceleration (3,) of a state (6,).");
   m.def(
       "jacobi_constant",
-      [](const ThreeBodySystem& system_, const Doubles& state) {
+      [](const ThreeBodySystem& bodies, const Doubles& state) {
         require_finite(numbers(state), "state");
-        return static_cast<double>(jacobi_constant(system_, state_of(state)));
+        return static_cast<double>(jacobi_constant(bodies, state_of(state)));
       },
       py::arg("system"), py::arg("state"), "C = 2 Omega - |r'|^2 of a state (6,).");
   m.def(
       "motion_derivatives",
-      [](const ThreeBodySystem& system_, const Doubles& state) {
+      [](const ThreeBodySystem& bodies, const Doubles& state) {
         require_finite(numbers(state), "state");
         Jet jet{};
-        const auto exact = motion_derivatives(system_, state_of(state));
+        const auto exact = motion_derivatives(bodies, state_of(state));
         for (std::size_t k = 0; k < 5; ++k) {
           for (std::size_t i = 0; i < 3; ++i) jet[k][i] = static_cast<double>(exact[k][i]);
         }

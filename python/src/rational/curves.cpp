@@ -35,8 +35,8 @@ void bind_motions(py::module_& m) {
       .def("content", [](const D& a) { return content(a); })
       .def("satisfies_study_condition", [](const D& a) { return satisfies_study_condition(a); })
       .def("is_motion_polynomial", [](const D& a) { return is_motion_polynomial(a); });
-  const auto require_motion = [](const D& c_) {
-    if (is_motion_polynomial(c_)) return;
+  const auto require_motion = [](const D& motion) {
+    if (is_motion_polynomial(motion)) return;
     throw Error(Fault{FaultCode::outside_domain,
                       "this is no motion: P should not be 0, and P D* + D P* should be",
                       std::nullopt, "c", std::nullopt, std::nullopt});

@@ -78,8 +78,9 @@ py::object fraction_of(const Rational& x) {
 
 bool read(py::handle source, PolynomialArgument& to) {
   auto value = polynomial_of(source);
-  if (value) to.value = *std::move(value);
-  return value.has_value();
+  if (!value) return false;
+  to.value = *std::move(value);
+  return true;
 }
 
 bool read(py::handle source, QuaternionArgument& to) {
