@@ -34,9 +34,9 @@ struct SweepContact {
 /// itself. Not free means: it meets itself, or its profile's convex hull does, or the search ended
 /// undecided. For sweeps of planar profiles along paths in any frame, and tubular families whose
 /// profile lies in a coordinate plane of the carried frame; for other profiles never free. A circle
-/// is replaced by a polygon round it (0.5 % larger). Rounding is kept off by a margin of 2^-40 of the
-/// size of the numbers; the rounding of the joins at knots is not counted.
-/// Domain: factor > 0 and finite. Cost: some microseconds a pair; 10² to 10⁴ pairs, at most 10⁵.
+/// is replaced by a polygon round it (0.5 % larger). Rounding is kept off by a margin of 2^-40 of
+/// the size of the numbers; the rounding of the joins at knots is not counted. Domain: factor > 0
+/// and finite. Cost: some microseconds a pair; 10² to 10⁴ pairs, at most 10⁵.
 SweepContact contact_of(const Sweep& sweep, double factor = 1.0);
 
 /// The largest factor of the profile, up to 2^-10 of it, for which contact_of certifies the sweep,
