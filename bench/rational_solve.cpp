@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hodograph/rational/motion_polynomial.hpp"
+#include "hodograph/rational/rational_ph_curve.hpp"
 #include "hodograph/rational/solution_space.hpp"
 #include "support/measure.hpp"
 
@@ -98,6 +99,16 @@ void run(std::size_t preimage_degree, int bits, std::size_t d, bool plain, int r
               space.dimension(), space.rational_dimension(), size);
 }
 
+/// Where every curve of the indicatrix A i A* has torsion zero: det(F, F', F''), of degree 6 deg A
+/// - 6.
+void run_torsion_zeros(std::size_t preimage_degree, int bits) {
+  const QuaternionPolynomial a = random_preimage(preimage_degree, bits);
+  const RationalPhCurve curve = RationalPhCurve::create(a, VectorFunction()).value();
+  bench::compare("torsion zeros, deg A = " + std::to_string(preimage_degree) + ", " +
+                     std::to_string(bits) + " bits",
+                 {{"isolated", [&] { bench::keep(curve.torsion_zeros()); }, 1.0}}, 3);
+}
+
 }  // namespace
 
 int main() {
@@ -106,4 +117,7 @@ int main() {
   run(4, 64, 30, false, 5);
   run(4, 64, 60, false, 5);
   run(4, 64, 60, false, 5, true);
+  run_torsion_zeros(32, 10);
+  run_torsion_zeros(32, 64);
+  run_torsion_zeros(64, 64);
 }

@@ -243,20 +243,10 @@ void bind_mesh_files(py::module_& m) {
       "mesh_bytes",
       [](const TriangleMesh& mesh, MeshFormat format, const std::string& name) {
         std::string bytes;
-        unlocked([&] {
-          const ByteSink sink = [&](std::string_view part) { bytes += part; };
-          switch (format) {
-            case MeshFormat::stl:
-              write_stl(mesh, name, sink);
-              break;
-            case MeshFormat::obj:
-              write_obj(mesh, name, sink);
-              break;
-            case MeshFormat::glb:
-              write_glb(mesh, name, sink);
-              break;
-          }
-        });
+        const auto append = [&bytes](std::string_view part) { bytes += part; };
+        if (const auto fault = unlocked([&] { return write_mesh(mesh, format, name, append); })) {
+          throw Error(*fault);
+        }
         return py::bytes(bytes);
       },
       py::arg("mesh"), py::arg("format"), py::kw_only(), py::arg("name") = "",

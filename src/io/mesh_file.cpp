@@ -225,8 +225,8 @@ std::optional<MeshFormat> mesh_format_of(const std::string& file_name) {
   return std::nullopt;
 }
 
-std::optional<Fault> save_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name,
-                               const std::string& path) {
+std::optional<Fault> write_mesh(const TriangleMesh& mesh, MeshFormat format,
+                                const std::string& name, const ByteSink& sink) {
   constexpr double most_bytes = 4294967295.0;  // the sizes of a glTF have 32 bits
   const double glb_bytes = 24.0 * static_cast<double>(mesh.vertex_count()) +
                            12.0 * static_cast<double>(mesh.triangles.size()) + 65536.0;
@@ -249,9 +249,6 @@ std::optional<Fault> save_mesh(const TriangleMesh& mesh, MeshFormat format, cons
                  std::nullopt,
                  std::nullopt};
   }
-  auto file = OutputFile::create(path);
-  if (!file) return file.fault();
-  const ByteSink sink = [&file](std::string_view bytes) { file->write(bytes); };
   switch (format) {
     case MeshFormat::stl:
       write_stl(mesh, name, sink);
@@ -262,6 +259,17 @@ std::optional<Fault> save_mesh(const TriangleMesh& mesh, MeshFormat format, cons
     case MeshFormat::glb:
       write_glb(mesh, name, sink);
       break;
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> save_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name,
+                               const std::string& path) {
+  auto file = OutputFile::create(path);
+  if (!file) return file.fault();
+  if (auto fault =
+          write_mesh(mesh, format, name, [&file](std::string_view bytes) { file->write(bytes); })) {
+    return fault;
   }
   return file->commit();
 }

@@ -81,9 +81,12 @@ TEST(AscendCommand, RefusesWhatItCannotDo) {
 TEST(AscendCommand, StopsOnCtrlCAndLeavesFilesWhole) {
   const Program program;
   write_text(program.path("ascent.html"), "as before");
+  // Once, as a terminal sends it: timeout without --foreground sends it to the program and then to
+  // the whole group, and the second ends the program at once. A job in the background inherits an
+  // ignored signal.
   const Outcome run = program.shell(
-      "timeout --preserve-status -s INT 2 hodograph ascend --problem time --guesses 1000 "
-      "--report ascent.html");
+      "env --default-signal=INT timeout --foreground --preserve-status -s INT 2 "
+      "hodograph ascend --problem time --guesses 1000 --report ascent.html");
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_NE(run.err.find("stopped on request"), std::string::npos) << run.err;
   EXPECT_EQ(text_of_file(program.path("ascent.html")), "as before");

@@ -514,7 +514,8 @@ TEST(RationalCommand, LeavesNoFileWhereItFails) {
   for (const char* unit : {"i", "j", "k"}) a += " + " + polynomial() + unit;
   write_text(program.path("long.txt"), a + "\nalpha = " + polynomial());
   const Outcome stopped = program.shell(
-      "timeout -s INT 0.2 hodograph rational long.txt -o old.json --svg new.svg; cat old.json; ls");
+      "env --default-signal=INT timeout -s INT 0.2 "
+      "hodograph rational long.txt -o old.json --svg new.svg; cat old.json; ls");
   EXPECT_EQ(stopped.out, "oldlong.txt\nold.json\n");
 }
 

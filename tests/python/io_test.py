@@ -257,6 +257,13 @@ class Meshes(unittest.TestCase):
         self.assertTrue(ElementTree.fromstring(hodograph.mesh_svg(mesh)).tag.endswith("svg"))
         refusal(self, lambda: hodograph.mesh_svg(mesh, width=float("nan")))
 
+    def test_what_a_format_cannot_hold_is_refused(self):
+        far = hodograph.TriangleMesh(self.corners * 1e300, self.triangles)
+        for kind in (hodograph.MeshFormat.stl, hodograph.MeshFormat.glb):
+            refusal(self, lambda: hodograph.mesh_bytes(far, kind))
+        text = hodograph.mesh_bytes(far, hodograph.MeshFormat.obj).decode()
+        self.assertIn("1e+300", text.replace("1e300", "1e+300"))
+
 
 class Pictures(unittest.TestCase):
     def test_svg_is_xml_and_holds_the_labels(self):

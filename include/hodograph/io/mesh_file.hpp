@@ -36,7 +36,13 @@ void write_glb(const TriangleMesh& mesh, const std::string& name, const ByteSink
 /// The format that the suffix of a file name tells: .stl, .obj, .glb, in small letters or capitals.
 std::optional<MeshFormat> mesh_format_of(const std::string& file_name);
 
-/// The file in one step (see OutputFile). Returns the fault if that failed: not_written.
+/// The bytes of such a file. Returns the fault, with nothing written: unsupported where a glTF
+/// would be larger than 4 GiB, outside_domain where a coordinate is beyond single precision (STL,
+/// glTF).
+std::optional<Fault> write_mesh(const TriangleMesh& mesh, MeshFormat format,
+                                const std::string& name, const ByteSink& sink);
+/// The file in one step (see OutputFile). Returns the fault if that failed: not_written, or
+/// write_mesh's.
 std::optional<Fault> save_mesh(const TriangleMesh& mesh, MeshFormat format, const std::string& name,
                                const std::string& path);
 
