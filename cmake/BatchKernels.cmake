@@ -31,8 +31,9 @@ function(hodograph_kernels target)
       file(GLOB files CONFIGURE_DEPENDS
         "${PROJECT_SOURCE_DIR}/src/${folder}/kernels/*_${instruction_set}.cpp")
       target_sources(${target} PRIVATE ${files})
+      # Long bodies of small operations: the sanitizers' checks of each take the optimiser minutes.
       set_source_files_properties(${files} PROPERTIES
-        COMPILE_OPTIONS "${hodograph_kernel_options};${hodograph_flags_of_${instruction_set}}"
+        COMPILE_OPTIONS "${hodograph_kernel_options};${hodograph_flags_of_${instruction_set}};$<$<CONFIG:Sanitize>:-O0>"
         SKIP_PRECOMPILE_HEADERS ON)
     endforeach()
   endforeach()

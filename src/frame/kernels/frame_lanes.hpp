@@ -27,13 +27,20 @@ struct ThisFile {};
 constexpr std::size_t lanes = HODOGRAPH_KERNEL_LANES;
 using P = Pack<lanes, ThisFile>;
 
+// Bodies of `repeat`, all in one function: registers keep what they share. The address sanitizer,
+// which looks at every access for itself, would take GCC minutes that way.
+#if defined(__SANITIZE_ADDRESS__)
+#define INLINED
+#else
+#define INLINED __attribute__((always_inline))
+#endif
+
 /// body(0), ..., body(count - 1) with indices that the compiler knows: no loop is left.
 template <std::size_t count, class Body>
-[[gnu::always_inline]] inline void repeat(const Body& body) {
-  [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+INLINED inline void repeat(const Body& body) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) INLINED {
     (body(std::integral_constant<std::size_t, i>{}), ...);
-  }
-  (std::make_index_sequence<count>{});
+  }(std::make_index_sequence<count>{});
 }
 
 /// a b + c, rounded once where the instruction set can (the frames are within their bounds either

@@ -76,10 +76,8 @@ constexpr double choose(std::size_t n, std::size_t k) {
   return value;
 }
 
-#define INLINED __attribute__((always_inline))
-
 template <std::size_t count>
-[[gnu::always_inline]] inline P sum_of_sizes(const std::array<P, count>& c) {
+INLINED inline P sum_of_sizes(const std::array<P, count>& c) {
   P total;
   repeat<count>([&](auto k) INLINED { total = total + abs(c[k]); });
   return total;
@@ -87,7 +85,7 @@ template <std::size_t count>
 
 /// c_first + c_(first+2) z + c_(first+4) z² + ...
 template <std::size_t first, std::size_t count>
-[[gnu::always_inline]] inline P every_other(const std::array<P, count>& c, const P& z) {
+INLINED inline P every_other(const std::array<P, count>& c, const P& z) {
   P value;
   if constexpr (first < count) {
     constexpr std::size_t last = (count - 1 - first) / 2;
@@ -242,8 +240,6 @@ void expand(const PieceLanes& in, PieceGroup& out) {
   select(positive, P(eps) * (rounding + P(count) * spread), infinite).store(out.carried);
   select(positive, P(4.0 * count * eps) * spread, infinite).store(out.local);
 }
-
-#undef INLINED
 
 /// The rotor of half an angle, up to a factor near 1 and its sign.
 [[gnu::always_inline]] inline void rotor_of_half(const P& angle, P& c, P& s) {
