@@ -32,16 +32,18 @@ mathjax2_config = {
 html_theme = "alabaster"
 html_title = f"Hodograph {release}"
 html_static_path = ["_static"]
+html_css_files = ["site.css"]
 html_extra_path = [os.environ["HODOGRAPH_SITE_EXTRA"]]
 html_copy_source = False
 html_theme_options = {
     "description": "Pythagorean-hodograph curves, paths and frames",
     "fixed_sidebar": True,
-    "page_width": "1100px",
-    "sidebar_width": "240px",
+    "page_width": "1240px",
+    "sidebar_width": "250px",
     "body_text_align": "left",
+    "body_max_width": "960px",
 }
-html_sidebars = {"**": ["about.html", "navigation.html", "searchbox.html"]}
+html_sidebars = {"**": ["about.html", "searchbox.html", "localtoc.html", "navigation.html"]}
 smartquotes = False
 pygments_style = "friendly"
 add_module_names = False

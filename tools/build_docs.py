@@ -20,6 +20,8 @@ import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
+from check_support import MODULES
+
 _ROOT = Path(__file__).resolve().parent.parent
 _DOCS = _ROOT / "docs"
 _MATHJAX = Path("/usr/share/javascript/mathjax")
@@ -50,10 +52,46 @@ def build_cpp(folder):
         fail(f"Doxygen complains:\n{done.stdout[:4000]}")
     pages = {}
     for compound in xml.parse(tags).getroot().findall("compound[@kind='file']"):
-        path = (compound.findtext("path") or "") + compound.findtext("name")
-        pages["include/" + path.lstrip("/").removeprefix("include/")] = compound.findtext("filename")
+        path = "/" + (compound.findtext("path") or "") + compound.findtext("name")
+        pages["include/" + path.rpartition("/include/")[2]] = compound.findtext("filename")
+    if "include/hodograph/path/path.hpp" not in pages:
+        fail("Doxygen's list of files is not as it was: links to headers would be lost")
     tags.unlink()
+    (folder / "cpp" / "index.html").write_text(  # Doxygen's own is empty
+        '<!DOCTYPE html>\n<meta charset="utf-8">\n<title>Hodograph</title>\n'
+        '<meta http-equiv="refresh" content="0; url=../cpp_api.html">\n', encoding="utf-8")
     return pages
+
+
+def summary_of(header):
+    """The first paragraph of the comment at the head of a header."""
+    lines = []
+    for line in header.read_text(encoding="utf-8").splitlines()[1:]:
+        text = line.removeprefix("//").strip()
+        if not line.startswith("//") or not text:
+            break
+        lines.append(text)
+    return " ".join(lines)
+
+
+def write_cpp_interface(folder, headers):
+    """cpp_api.md: every public header, module by module, with a link to Doxygen's page."""
+    modules = {}
+    for header in headers:
+        modules.setdefault(header.split("/")[2], []).append(header)
+    lines = ["# C++ interface", "",
+             "Every public header, in the order in which modules may include each other; the links lead to "
+             "what it declares. `#include <hodograph/MODULE/HEADER>`; all names are in the namespace "
+             "`hodograph`.", ""]
+    for module in [name for name in MODULES if name in modules]:
+        lines += [f"## {module}", "", "| header | |", "|---|---|"]
+        for header in sorted(modules[module]):
+            text = re.sub(r"([*_<|\[\]$])", r"\\\1", summary_of(_ROOT / header))
+            name = header.removeprefix(f"include/hodograph/{module}/")
+            lines.append(f'| <a class="reference external" href="cpp/{headers[header]}">'
+                         f"<code>{name}</code></a> | {text} |")
+        lines.append("")
+    (folder / "cpp_api.md").write_text("\n".join(lines), encoding="utf-8")
 
 
 # ---- pages ---------------------------------------------------------------------------------------
@@ -88,23 +126,32 @@ def linked(text, page, headers):
         if name == "tests/golden/python_api.txt":
             return f"[{label}]({up}python_api.rst)"
         if name == "tests/golden/cpp_api.txt":
-            return f'<a class="reference external" href="{up}cpp/index.html">{html}</a>'
+            return f"[{label}]({up}cpp_api.md)"
         if name in headers:
             return f'<a class="reference external" href="{up}cpp/{headers[name]}">{html}</a>'
+        if name.startswith("include/") and name.endswith(".hpp"):
+            fail(f"{page.relative_to(_ROOT)} links to {name}, which has no page")
         return label
 
     return outside_fences(text, lambda part: _LINK.sub(replace, part))
 
 
-def with_toctree(text, page):
-    """An index page with its links as Sphinx's table of contents, which a reader does not see."""
-    targets = []
-    for _, target in _LINK.findall(text):
-        file = target.partition("#")[0]
-        if file.endswith((".md", ".rst")) and file not in targets:
-            targets.append(file)
-    inside = [file for file in targets if not file.startswith("..")]
-    return text + "\n```{toctree}\n:hidden:\n\n" + "\n".join(inside) + "\n```\n"
+def with_toctree(text):
+    """An index page with its links as Sphinx's table of contents, one a heading, which a reader of the
+    page does not see: it stands in the sidebar."""
+    introduction, *sections = re.split(r"^(?=## )", text, flags=re.MULTILINE)
+    trees, seen = "", set()
+    for part in sections:
+        title = part.partition("\n")[0]
+        targets = [target.partition("#")[0] for _, target in _LINK.findall(part)]
+        targets = [file for file in dict.fromkeys(targets) if file.endswith((".md", ".rst"))
+                   and not file.startswith("..") and file not in seen]
+        seen.update(targets)
+        caption = "" if _LINK.search(title) else f":caption: {title.removeprefix('## ')}\n"
+        if targets:
+            trees += ("\n```{toctree}\n:hidden:\n:titlesonly:\n" + caption + "\n" + "\n".join(targets)
+                      + "\n```\n")
+    return introduction + trees + "\n" + "".join(sections)
 
 
 def write_pages(folder, headers):
@@ -120,7 +167,7 @@ def write_pages(folder, headers):
             continue
         text = linked(path.read_text(encoding="utf-8"), path, headers)
         if path.name == "index.md":
-            text = with_toctree(text, path)
+            text = with_toctree(text)
         copy.write_text(text, encoding="utf-8")
 
 
@@ -162,8 +209,19 @@ def draw_gallery(folder, environment):
 
 
 def escaped(text):
-    """Text in which nothing is reStructuredText."""
-    return re.sub(r"([\\*`|])", r"\\\1", re.sub(r"(\w)_(?!\w)", r"\1\\_", text))
+    """Text in which nothing is reStructuredText but what stands between backquotes, which is code."""
+    parts = re.split(r"(``[^`]+``|`[^`]+`)", text)
+    for i, part in enumerate(parts):
+        if i % 2 == 1:
+            parts[i] = f"``{part.strip('`').strip()}``"
+        else:
+            parts[i] = re.sub(r"([\\*`|])", r"\\\1", re.sub(r"(\w)_(?!\w)", r"\1\\_", part))
+    for i in range(1, len(parts), 2):  # code must end where a word does
+        if re.match(r"\w", parts[i + 1]):
+            parts[i + 1] = "\\ " + parts[i + 1]
+        if re.search(r"\w$", parts[i - 1]):
+            parts[i - 1] += "\\ "
+    return "".join(parts)
 
 
 def signatures(stub):
@@ -281,6 +339,7 @@ def main():
     write_pages(pages, headers)
     draw_pictures(pages)
     draw_gallery(pages, environment)
+    write_cpp_interface(pages, headers)
     write_python_interface(pages)
     for part in _MATHJAX_PARTS:
         source, target = _MATHJAX / part, pages / "_static" / "mathjax" / part

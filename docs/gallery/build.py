@@ -89,6 +89,11 @@ def section(made: Made) -> str:
             f"{numbers}\nScript: [{made.name}.py]({made.name}.py)\n")
 
 
+def anchor(title: str) -> str:
+    """Where a heading is in its page, as GitHub and the site have it."""
+    return re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
+
+
 def pages(made: list[Made]) -> dict[str, str]:
     """All pages, by file name."""
     note = "<!-- Made by build.py from the scripts beside it: change those. -->\n\n"
@@ -103,7 +108,7 @@ def pages(made: list[Made]) -> dict[str, str]:
         texts[f"{page}.md"] = (note + f"# {title}\n\n{introduction}\n\n"
                                + "\n".join(section(each) for each in here))
         index.append(f"## [{title}]({page}.md)\n")
-        index += [f"- {each.title}" for each in here]
+        index += [f"- [{each.title}]({page}.md#{anchor(each.title)})" for each in here]
         index.append("")
     texts["index.md"] = note + "\n".join(index)
     return texts
