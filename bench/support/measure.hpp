@@ -52,6 +52,7 @@ inline void compare(const std::string& question, std::vector<Rival> rivals, int 
     std::printf("  %-52s %10.1f %10.1f %7.2fx\n", rival.name.c_str(), 1e9 * median,
                 1e9 * rival.seconds.front(), first / median);
   }
+  std::fflush(stdout);  // a table that was made stays, though a later one takes too long
 }
 
 /// Reproducible numbers in [0, 1).
