@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/planar_facts.hpp"
 
+#include <future>
+
 #include "hodograph/path/any_bounds.hpp"
 #include "hodograph/path/any_planar.hpp"
 #include "hodograph/surface/offset.hpp"
@@ -10,6 +12,8 @@ namespace {
 
 /// Extremes and limits are refined to about this relative width, 2^-40: what people read off.
 constexpr double shown_width = 0x1p-40;
+/// A path of so many segments is worth threads: its facts take some 20 µs a segment.
+constexpr std::size_t many_segments = 2000;
 
 std::string_view name_of(CurvatureExtremeKind kind) {
   switch (kind) {
@@ -35,10 +39,13 @@ Json json_of(const CurvaturePlace& place, bool with_curvature) {
 std::optional<PlanarFacts> planar_facts_of(const AnyPath& path) {
   if (path.dimension() != 2) return std::nullopt;
   PlanarFacts facts;
-  const RotationIndices turns = rotation_index_enclosures(path);
-  facts.rotation_index = turns.with_sign;
-  facts.absolute_rotation_index = turns.absolute;
-  if (const auto energy = bending_energy_enclosure(path)) facts.bending_energy = *energy;
+  // The three that take longest beside the others: what cannot have a thread runs when it is asked.
+  const auto way = path.segment_count() < many_segments
+                       ? std::launch::deferred
+                       : std::launch::async | std::launch::deferred;
+  auto energy = std::async(way, [&] { return bending_energy_enclosure(path); });
+  auto turns = std::async(way, [&] { return rotation_index_enclosures(path); });
+  auto meetings = std::async(way, [&] { return self_intersections(path); });
   facts.signed_area = signed_area_enclosure(path);
   const Extremes curvature = curvature_extremes(path, RangeGoal{shown_width});
   facts.smallest_curvature = curvature.minimum;
@@ -53,7 +60,11 @@ std::optional<PlanarFacts> planar_facts_of(const AnyPath& path) {
   for (const auto& one : curvature_stationary_points(path)) {
     facts.curvature_extremes.push_back({one.xi, one.xi_range, one.curvature, name_of(one.kind)});
   }
-  facts.self_intersections = self_intersections(path);
+  facts.self_intersections = meetings.get();
+  const RotationIndices indices = turns.get();
+  facts.rotation_index = indices.with_sign;
+  facts.absolute_rotation_index = indices.absolute;
+  if (const auto found = energy.get()) facts.bending_energy = *found;
   return facts;
 }
 
