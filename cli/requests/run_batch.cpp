@@ -53,9 +53,10 @@ struct Tally {
     return elapsed > 0.0 ? static_cast<double>(lines - lines_before) / elapsed : 0.0;
   }
   std::string text(std::optional<std::uint64_t> size) const {
-    constexpr double percent = 100.0;
+    constexpr double percent = 100.0, without_decimals = 100.0;
     char number[48];
-    std::snprintf(number, sizeof number, ", %.3g/s", rate());
+    std::snprintf(number, sizeof number, rate() < without_decimals ? ", %.3g/s" : ", %.0f/s",
+                  rate());
     std::string text = counted(lines, "line") + number;
     const auto passed = static_cast<double>(bytes - bytes_before);
     if (size && *size > 0 && bytes <= *size && passed > 0.0) {

@@ -370,6 +370,61 @@ TEST(BatchRun, ProgressIsSilentUnlessAskedFor) {
       << asked.err;
 }
 
+/// What a terminal receives while a line is typed into it: `script` is the terminal.
+std::string on_a_terminal(const Program& program, const std::string& line) {
+  write_text(program.path("typed.sh"), line);
+  const Outcome outcome = program.shell("script -qec 'sh typed.sh' /dev/null < /dev/null");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  return outcome.out;
+}
+
+constexpr std::string_view rewrite = "\r\x1b[K";  // back to the first column, and wipe the line
+
+TEST(BatchRun, OnATerminalALineOfProgressIsRewrittenInPlaceAndWiped) {
+  const Program program;
+  write_text(program.path("in"), climbs(20, false));
+  const std::string answers = unbroken(program, program.path("in"));
+  // Requests come slowly: more than the time between two updates passes.
+  const std::string shown = on_a_terminal(
+      program, "{ cat in; sleep 0.5; cat in; sleep 0.3; } | hodograph batch -o out.jsonl");
+  EXPECT_EQ(text_of_file(program.path("out.jsonl")), answers + answers);
+  ASSERT_TRUE(shown.starts_with(std::string(rewrite) + "answered: ")) << shown;
+  const std::size_t last = shown.rfind(rewrite);
+  EXPECT_TRUE(
+      shown.substr(last).starts_with(std::string(rewrite) + "hodograph: 40 lines, 0 faults, "))
+      << shown;
+  // Nothing but the last line stays.
+  EXPECT_EQ(shown.find('\n'), shown.size() - 1) << shown;
+  EXPECT_GT(last, 0u);
+}
+
+TEST(BatchRun, OnATerminalTheShareOfAFileAndTheTimeLeftAreShown) {
+  const Program program;
+  write_text(program.path("in.jsonl"), climbs(200, false));
+  const std::string answers = unbroken(program, program.path("in.jsonl"));
+  constexpr std::size_t pipe_holds = 65536;
+  ASSERT_GT(answers.size(), 2 * pipe_holds);
+  // The reader of the answers is slow, the terminal shows standard error alone.
+  const std::string shown =
+      on_a_terminal(program, "hodograph batch in.jsonl | { sleep 0.5; cat > out.jsonl; }");
+  EXPECT_EQ(text_of_file(program.path("out.jsonl")), answers);
+  EXPECT_NE(shown.find("/s, "), std::string::npos) << shown;
+  EXPECT_NE(shown.find(" %, "), std::string::npos) << shown;
+  EXPECT_NE(shown.find(" left"), std::string::npos) << shown;
+}
+
+TEST(BatchRun, OnATerminalSkippedLinesStay) {
+  const Program program;
+  write_text(program.path("in.jsonl"), climbs(3, false));
+  const std::string shown =
+      on_a_terminal(program,
+                    "{ cat in.jsonl; sleep 0.4; echo no json; cat in.jsonl; } | "
+                    "hodograph batch -o out.jsonl --on-fault skip");
+  const std::size_t skipped = shown.find(std::string(rewrite) + "hodograph: skipped line 4: ");
+  ASSERT_NE(skipped, std::string::npos) << shown;  // the progress line makes room for it
+  EXPECT_EQ(std::count(shown.begin(), shown.end(), '\n'), 2) << shown;
+}
+
 TEST(BatchRun, NothingInNothingOut) {
   const Program program;
   for (const char* const text : {"", "\n", " \n\t\r\n"}) {

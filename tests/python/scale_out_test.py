@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 import hodograph
@@ -17,7 +18,7 @@ from hodograph import scale_out
 def requests(count):
     for i in range(count):
         if i % 10 == 9:
-            yield {"request": "fit", "id": i, "tolerance": 1e-4, "to": 3,
+            yield {"request": "fit", "id": i, "tolerance": 1e-3, "to": 3,
                    "formula": f"cos(t), sin(t), {0.3 + i / count}*t"}
         else:
             yield {"request": "climb", "id": i,
@@ -49,12 +50,12 @@ class OnTwoWorkers(unittest.TestCase):
         os.chdir(cls.folder)
 
     def test_a_killed_worker_changes_nothing(self):
-        lines = list(requests(1200))
+        lines = list(requests(300))
         serial = list(hodograph.answer_lines(lines, jobs=1, text=True))
         processes = list(self.client.run(os.getpid).values())
         self.assertEqual(len(set(processes)), 2)
         answers = []
-        for answer in scale_out.answer_lines(lines, self.client, text=True, chunk=20):
+        for answer in scale_out.answer_lines(lines, self.client, text=True, chunk=5):
             answers.append(answer)
             if len(answers) == len(serial) // 2:
                 os.kill(processes[0], signal.SIGKILL)
@@ -101,8 +102,9 @@ class WithoutWorkers(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, distributed.LocalCluster(
                 n_workers=0, host="127.0.0.1", dashboard_address=None, local_directory=folder) as \
                 cluster, distributed.Client(cluster) as client:
-            with self.assertRaisesRegex(TimeoutError, "no workers for 1 s"):
-                list(scale_out.answer_lines(requests(3), client, without_workers_s=1))
+            with unittest.mock.patch.object(scale_out, "_LOOK_S", 0.1), \
+                    self.assertRaisesRegex(TimeoutError, "no workers for 0.2 s"):
+                list(scale_out.answer_lines(requests(3), client, without_workers_s=0.2))
 
     def test_without_dask_the_sentence_says_what_to_install(self):
         script = ("import sys\n"
