@@ -4,6 +4,7 @@ by worker processes under Dask, one of which is killed half-way, and compared wi
 
     python3 examples/dispersion.py                     # 10^5 climbs, two workers
     python3 examples/dispersion.py --kind fit --count 10000
+    python3 examples/dispersion.py --requests climbs.jsonl    # only writes them, for hodograph batch
 """
 
 import argparse
@@ -80,9 +81,14 @@ def main():
     arguments.add_argument("--count", type=int, default=100_000)
     arguments.add_argument("--workers", type=int, default=2)
     arguments.add_argument("--chunk", type=int, default=500)
+    arguments.add_argument("--requests", metavar="FILE", help="write the requests, and stop")
     chosen = arguments.parse_args()
     made = climbs if chosen.kind == "climb" else fits
     count = chosen.count
+    if chosen.requests:
+        with open(chosen.requests, "w", encoding="utf-8") as file:
+            file.writelines(line + "\n" for line in made(count))
+        return 0
 
     serial = run(hodograph.answer_lines(made(count), jobs=1, text=True), count, "one thread")
     threads = run(hodograph.answer_lines(made(count), jobs=chosen.workers, text=True), count,
