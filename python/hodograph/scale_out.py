@@ -34,6 +34,19 @@ def _distributed():
 
 
 @contextlib.contextmanager
+def _silenced(*loggers: str):
+    """Closing a cluster that is just replacing a worker cancels that, of which tornado complains."""
+    levels = [logging.getLogger(name).level for name in loggers]
+    for name in loggers:
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    try:
+        yield
+    finally:
+        for name, level in zip(loggers, levels):
+            logging.getLogger(name).setLevel(level)
+
+
+@contextlib.contextmanager
 def local_cluster(workers: int = 2, *, start_s: float = 120.0) -> Iterator[Any]:
     """A client of a cluster of processes on this machine, each with one thread.
 
@@ -60,7 +73,8 @@ def local_cluster(workers: int = 2, *, start_s: float = 120.0) -> Iterator[Any]:
             finally:
                 client.close(timeout=10)
         finally:
-            cluster.close(timeout=30)
+            with _silenced("tornado.application", "asyncio"):
+                cluster.close(timeout=30)
 
 
 def _chunk_results(version: str, function: Callable, items: list) -> list:
