@@ -48,6 +48,21 @@ class Documentation(unittest.TestCase):
             pyplot.close("all")
             self.assertEqual(set(_PICTURE.findall(text)) - drawn, set(), page)
 
+    def test_every_construction_has_what_a_reader_asks_for(self):
+        folder = _ROOT / "docs"
+        made = {*(folder / "constructions").glob("*.md"), folder / "climbing.md", folder / "loops.md",
+                folder / "rational.md"} - {folder / "constructions" / "planar.md"}  # which leads to the others
+        self.assertGreaterEqual(len(made), 12)
+        index = (folder / "index.md").read_text(encoding="utf-8")
+        for page in sorted(made):
+            text = page.read_text(encoding="utf-8")
+            with self.subTest(page.name):
+                self.assertIn(f"({page.relative_to(folder).as_posix()})", index)
+                self.assertRegex(text, _PICTURE)
+                self.assertRegex(text, r"(?m)^## When to use")
+                self.assertRegex(text, r"(?m)^## (Limits|What cannot be done)")
+                self.assertRegex(text, r"(?m)^(## )?Source\b")
+
 
 if __name__ == "__main__":
     unittest.main()
