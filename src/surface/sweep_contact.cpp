@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "exact_piece.hpp"
+#include "surface_contact.hpp"
 
 namespace hodograph {
 namespace {
@@ -65,14 +66,19 @@ struct Stretch {
   /// derivatives.
   Vector3<double> start{};
   DynamicPolynomial<Vector3<double>> displacement;
+  /// Per unit of the piece's parameter, and made from the whole piece: differences of the
+  /// coefficients of a short stretch would be little but rounding.
+  DynamicPolynomial<Vector3<double>> velocity, acceleration;
   double begin = 0.0, end = 1.0;  ///< in ξ
   std::size_t piece = 0;          ///< of the motion
   int depth = 0;
+  double largest_weight = 0.0;        ///< of the whole piece
+  double spread = 1.0;                ///< that over the least weight here: what rounding grows by
   std::vector<Vector3<double>> hull;  ///< points whose convex hull holds all cross-sections
   Box sections, path;
-  /// What a section's plane moves on by, along its normal N, and what carries its points back: no
-  /// point of a section near it comes to lie in it again where advance > (x - c)·back.
-  Range advance;
+  /// What a section's plane moves on by, and what carries its points back: no point of a section
+  /// near it comes to lie in it again where advance > (x - r)·back.
+  double advance = 0.0;
   Box back;
   Vector3<double> middle{}, tangent{};
   std::unique_ptr<Stretch> half[2];
@@ -136,20 +142,6 @@ std::vector<Vector3<double>> rolled_corners(const std::vector<Vector3<double>>& 
   return result;
 }
 
-/// The axes of the frame that a plane profile is normal to: 0, 1, 2 for e₁, e₂, e₃. Two for a line
-/// along an axis.
-std::vector<std::size_t> normals_of(const Profile& profile) {
-  std::vector<std::size_t> axes;
-  for (const std::size_t axis : {0U, 1U, 2U}) {
-    bool flat = true;
-    for (const auto& piece : profile.pieces()) {
-      for (const auto& p : piece.control_points) flat = flat && p[axis] == 0.0;
-    }
-    if (flat) axes.push_back(axis);
-  }
-  return axes;
-}
-
 /// The convex hull of the profile's control points in (e₂, e₃), counterclockwise.
 std::vector<Vector2<double>> corners_of(const Profile& profile) {
   std::vector<Vector2<double>> points;
@@ -185,26 +177,22 @@ std::vector<Vector2<double>> corners_of(const Profile& profile) {
 
 class Search {
  public:
-  /// `normal`: the axis that the profile is normal to.
-  Search(const Sweep& sweep, double factor, std::size_t normal)
+  Search(const Sweep& sweep, double factor)
       : closed_(sweep.motion.is_closed()),
-        adapted_(sweep.motion.is_adapted()),
-        normal_(normal),
         roll_(sweep.profile.circle_radius() ? nullptr : sweep.motion.roll()) {
-    if (adapted_) {
-      for (const auto& p : corners_of(sweep.profile)) {
-        corners_.push_back({0.0, factor * p.x, factor * p.y});
-      }
-    } else {
-      for (const auto& piece : sweep.profile.pieces()) {
-        for (const auto& p : piece.control_points) corners_.push_back(factor * p);
-      }
+    for (const auto& p : corners_of(sweep.profile)) {
+      corners_.push_back({0.0, factor * p.x, factor * p.y});
     }
     for (const MotionPiece& piece : sweep.motion.pieces()) {
       auto whole = std::make_unique<Stretch>();
       whole->exact = exact_piece(piece);
       whole->start = piece.start;
       whole->displacement = piece.displacement;
+      whole->velocity = piece.displacement.derivative();
+      whole->acceleration = whole->velocity.derivative();
+      for (const double w : whole->exact.weight.coefficients()) {
+        whole->largest_weight = std::max(whole->largest_weight, w);
+      }
       whole->begin = piece.begin;
       whole->end = piece.end;
       whole->piece = roots_.size();
@@ -263,15 +251,14 @@ class Search {
         return answer;
       }
       if (&a == &b) {
-        if (advances(a, a) != 0) continue;
+        if (advances(a, a)) continue;
         if (!halves(a)) return answer;
         open.push_back({a.half[0].get(), a.half[0].get(), false});
         open.push_back({a.half[1].get(), a.half[1].get(), false});
         open.push_back({a.half[0].get(), a.half[1].get(), true});
         continue;
       }
-      if (pair.adjacent ? advances(a, a) != 0 && advances(a, a) == advances(a, b)
-                        : separated(a, b)) {
+      if (pair.adjacent ? advances(a, a) && advances(a, b) : separated(a, b)) {
         continue;
       }
       if (!halves(a) || !halves(b)) return answer;
@@ -295,6 +282,9 @@ class Search {
                      cut(s.exact.e3)};
       part->start = s.start;
       part->displacement = cut(s.displacement);
+      part->velocity = cut(s.velocity);
+      part->acceleration = cut(s.acceleration);
+      part->largest_weight = s.largest_weight;
       const double half = 0.5 * (s.begin + s.end);
       part->begin = i == 0 ? s.begin : half;
       part->end = i == 0 ? half : s.end;
@@ -328,6 +318,7 @@ class Search {
     }
     for (std::size_t i = 0; i <= degree; ++i) {
       if (!(weight[i] > 0.0)) return false;
+      s.spread = std::max(s.spread, s.largest_weight / weight[i]);
       for (const auto& p : roll_ != nullptr ? rolled : corners_) {
         const Vector3<double> at =
             (1.0 / weight[i]) * (center[i] + (p.x * e1[i] + p.y * e2[i] + p.z * e3[i]));
@@ -336,34 +327,19 @@ class Search {
         s.sections.add(at);
       }
     }
-    const auto velocity = s.displacement.derivative();
     for (const auto& c : s.displacement.coefficients()) s.path.add(s.start + c);
-    if (adapted_) {
-      set_advance_along_path(s, velocity);
-    } else {
-      const auto& normal = normal_ == 0 ? s.exact.e1 : normal_ == 1 ? s.exact.e2 : s.exact.e3;
-      const auto onward =
-          product(velocity, normal, [](const auto& v, const auto& n) { return dot(v, n); });
-      s.advance = {Box::infinity, -Box::infinity};
-      for (const double c : onward.coefficients()) {
-        s.advance.low = std::min(s.advance.low, c);
-        s.advance.high = std::max(s.advance.high, c);
-      }
-      const auto turn = normal.derivative();
-      for (const auto& c : turn.coefficients()) s.back.add(c);
-    }
+    set_advance(s);
     constexpr double half = 0.5;
     s.middle = s.start + s.displacement.value(half);
-    s.tangent = velocity.value(half);
+    s.tangent = s.velocity.value(half);
     return true;
   }
 
   /// N = r'/|r'|, times |r'|⁴: only the part of r'' across r' carries back.
-  static void set_advance_along_path(Stretch& s, const DynamicPolynomial<Vector3<double>>& rate) {
+  static void set_advance(Stretch& s) {
     Box velocity, acceleration;
-    for (const auto& c : rate.coefficients()) velocity.add(c);
-    const auto change = rate.derivative();
-    for (const auto& c : change.coefficients()) acceleration.add(c);
+    for (const auto& c : s.velocity.coefficients()) velocity.add(c);
+    for (const auto& c : s.acceleration.coefficients()) acceleration.add(c);
     s.back = cross(velocity, cross(acceleration, velocity));
     double square = 0.0;  // ≤ |r'|²
     for (std::size_t i = 0; i < 3; ++i) {
@@ -371,29 +347,34 @@ class Search {
       if (v.low > 0.0) square += v.low * v.low;
       if (v.high < 0.0) square += v.high * v.high;
     }
-    s.advance = {square * square, Box::infinity};
+    s.advance = square * square;
   }
 
-  /// Where no section of `a` meets one of a or of its neighbour `b` on account of what is between,
-  /// for η in b: 1 where the planes move on along their normal, -1 where against it, 0 undecided.
-  static int advances(const Stretch& a, const Stretch& b) {
-    double most = 0.0, least = 0.0, terms = 0.0;
+  /// Whether no section of `a` meets one of a or of its neighbour `b` on account of what is
+  /// between, for η in b.
+  static bool advances(const Stretch& a, const Stretch& b) {
+    double terms = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Range x{a.sections.low[i] - b.path.high[i], a.sections.high[i] - b.path.low[i]};
-      const Range t = component(b.back, i), part = times(x, t);
-      most += part.high;
-      least += part.low;
+      const Range t = component(b.back, i);
       terms += (a.sections.size() + b.path.size()) * std::max(std::abs(t.low), std::abs(t.high));
     }
-    const double off = margin * terms;
-    if (b.advance.low - margin * std::abs(b.advance.low) > most + off) return 1;
-    if (b.advance.high + margin * std::abs(b.advance.high) < least - off) return -1;
-    return 0;
+    // Point by point: a box of the sections would hold points further out than they.
+    double most = -Box::infinity;
+    for (const auto& p : a.hull) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        sum += times({p[i] - b.path.high[i], p[i] - b.path.low[i]}, component(b.back, i)).high;
+      }
+      most = std::max(most, sum);
+    }
+    const double spread = std::max(a.spread, b.spread);
+    return b.advance - margin * spread * b.advance > most + margin * spread * terms;
   }
 
   /// Whether a plane lies between the hulls: across one of some directions.
   static bool separated(const Stretch& a, const Stretch& b) {
-    const double off = margin * std::max(a.sections.size(), b.sections.size());
+    const double off =
+        margin * std::max(a.spread, b.spread) * std::max(a.sections.size(), b.sections.size());
     for (std::size_t i = 0; i < 3; ++i) {
       if (a.sections.high[i] + off < b.sections.low[i] ||
           b.sections.high[i] + off < a.sections.low[i]) {
@@ -425,8 +406,7 @@ class Search {
     return false;
   }
 
-  bool closed_, adapted_, bounded_ = true;
-  std::size_t normal_;
+  bool closed_, bounded_ = true;
   const FrameRoll* roll_;
   std::vector<Vector3<double>> corners_;
   std::vector<double> first_, length_;  ///< ξ where pieces of the motion begin, and how much there
@@ -436,15 +416,10 @@ class Search {
 }  // namespace
 
 SweepContact contact_of(const Sweep& sweep, double factor) {
-  if (sweep.motion.is_adapted()) {
-    return sweep.profile.is_planar() ? Search(sweep, factor, 0).run() : SweepContact{};
+  if (sweep.motion.is_adapted() && sweep.profile.is_planar()) {
+    return Search(sweep, factor).run();
   }
-  SweepContact contact;
-  for (const std::size_t normal : normals_of(sweep.profile)) {
-    contact = Search(sweep, factor, normal).run();
-    if (contact.free) break;
-  }
-  return contact;
+  return surface_detail::surface_contact(sweep, factor);
 }
 
 double largest_free_factor(const Sweep& sweep, const TubeRadius& tube, double most) {

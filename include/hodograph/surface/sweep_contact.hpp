@@ -12,9 +12,14 @@
 // they sweep. The convex hull of the profile is taken in both: linear, so its corners decide.
 //
 // A roll beside the pieces' frames turns the sections in their planes: over each part of the path
-// the corners are replaced by points whose hull holds their arcs. In a tubular family whose profile
-// lies in a plane of the carried frame, with normal N (times any positive function), the same
-// theorem for (x - c)·N leaves c'·N > (x - c)·N', or both the other way round.
+// the corners are replaced by points whose hull holds their arcs.
+//
+// The curves of a tubular family lie in no normal planes. There the surface itself is certified,
+// whatever the profile: on a convex block of its parameters it is injective where, for two
+// directions a and b, the matrix (a·S_v, a·S_u; b·S_v, b·S_u) is regular for every choice of its
+// entries within their ranges (were S(q) = S(p), the mean of that matrix along the segment from p
+// to q would take q - p to 0); blocks that do not touch are kept apart by planes between the hulls
+// of their control points.
 #pragma once
 
 #include <cstddef>
@@ -25,18 +30,21 @@ namespace hodograph {
 
 /// What is known of the contact of a sweep with itself.
 struct SweepContact {
-  bool free = false;          ///< certainly no two cross-sections meet
+  bool free = false;          ///< certainly no two cross-sections meet, nor one itself
   double xi[2] = {0.0, 0.0};  ///< where this was not decided
   std::size_t pairs = 0;      ///< parts compared
 };
 
 /// Whether the sweep with its profile `factor` times as large is certainly free of contact with
 /// itself. Not free means: it meets itself, or its profile's convex hull does, or the search ended
-/// undecided. For sweeps of planar profiles along paths in any frame, and tubular families whose
-/// profile lies in a coordinate plane of the carried frame; for other profiles never free. A circle
-/// is replaced by a polygon round it (0.5 % larger). Rounding is kept off by a margin of 2^-40 of
-/// the size of the numbers; the rounding of the joins at knots is not counted. Domain: factor > 0
-/// and finite. Cost: some microseconds a pair; 10² to 10⁴ pairs, at most 10⁵.
+/// undecided. For sweeps of planar profiles (free of contact themselves) along paths in any frame;
+/// and for tubular families and profiles in space, whose curves may cross themselves and then are
+/// never free, in any frame whose roll is rational. There the hull is not taken, and only points
+/// that a closed profile identifies may coincide: a family that returns to where it began meets
+/// itself. A circle is replaced by a polygon round it (0.5 % larger). Rounding is kept off by a
+/// margin of 2^-40 of the size of the numbers; the rounding of the joins at knots is not counted.
+/// Domain: factor > 0 and finite. Cost: some microseconds a pair; 10² to 10⁴ pairs, at most 10⁵
+/// (families: 2·10⁵).
 SweepContact contact_of(const Sweep& sweep, double factor = 1.0);
 
 /// The largest factor of the profile, up to 2^-10 of it, for which contact_of certifies the sweep,
