@@ -13,7 +13,7 @@ else()
   set(hodograph_default_with OFF)
 endif()
 
-foreach(name PLANNING CERTIFY RATIONAL ORBIT CONTROL IO GEODESY CAD PROGRAM PYTHON)
+foreach(name PLANNING CERTIFY RATIONAL ORBIT CONTROL IO GEODESY CAD INTEROP PROGRAM PYTHON)
   set(HODOGRAPH_WITH_${name} ${hodograph_default_with} CACHE STRING
       "Build this component (GEODESY: this part of io; PYTHON: the package): AUTO, ON or OFF")
   set_property(CACHE HODOGRAPH_WITH_${name} PROPERTY STRINGS AUTO ON OFF)
@@ -57,6 +57,7 @@ function(hodograph_summary)
                    ", certify ${hodograph_note_certify}, rational ${hodograph_note_rational}, orbit ${hodograph_note_orbit}"
                    ", control ${hodograph_note_control}"
                    ", io ${hodograph_note_io}, geodesy ${hodograph_note_geodesy}, cad ${hodograph_note_cad}"
+                   ", interop ${hodograph_note_interop}"
                    ", program ${hodograph_note_program}, python ${hodograph_note_python}")
   endif()
 endfunction()

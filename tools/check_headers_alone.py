@@ -13,7 +13,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from check_support import main, sources, write_tree
+from check_support import LIBRARY_FLAGS, main, sources, write_tree
 
 _FLAGS = ["-std=c++20", "-fsyntax-only", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic",
           "-Wshadow", "-Wconversion", "-Werror", "-x", "c++", "-"]
@@ -22,7 +22,7 @@ _FLAGS = ["-std=c++20", "-fsyntax-only", "-ffp-contract=off", "-Wall", "-Wextra"
 def find_problems(root):
     include = Path(root) / "include"
     command = [*shlex.split(os.environ.get("CXX", "c++")),
-               *shlex.split(os.environ.get("CXXFLAGS", "")), "-I", str(include), *_FLAGS]
+               *shlex.split(os.environ.get("CXXFLAGS", "")), "-I", str(include), *LIBRARY_FLAGS, *_FLAGS]
 
     def problem_of(path):
         name = path.relative_to(include)

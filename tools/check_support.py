@@ -15,6 +15,9 @@ MODULES = (
 # The modules that depend on the standard library alone.
 CORE_MODULES = MODULES[: MODULES.index("construction") + 1]
 
+# Where the compiler does not look by itself: headers of others that public headers include.
+LIBRARY_FLAGS = ("-isystem", "/usr/include/eigen3")
+
 _COMMENT_OR_STRING = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"([^()\\\s]{0,16})\(.*?\)\1"'
     r'|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Fa-f])\'(?:\\.|[^\'\\\n])*\'',

@@ -10,7 +10,11 @@
 #include <limits>
 #include <vector>
 
+#include "hodograph/curve/preimage_jet.hpp"
+#include "hodograph/foundation/second_order.hpp"
 #include "hodograph/foundation/taylor.hpp"
+#include "hodograph/path/operations.hpp"
+#include "tests/support/paths.hpp"
 #include "tests/support/random.hpp"
 
 namespace hodograph {
@@ -264,6 +268,47 @@ TEST(ArcLengthMap, DifferentiatesWithRespectToData) {
   const T expected = T(1.0) / (T::variable(2.0) * T::variable(2.0));
   for (std::size_t k = 0; k <= 3; ++k) {
     EXPECT_NEAR(u[k], expected[k], 8 * epsilon<double>());
+  }
+}
+
+TEST(ArcLengthMap, DifferentiatesAtTheEndsAndTheKnotsToo) {
+  // d/ds of what is reached at s: dξ/ds = 1/σ, d²ξ/ds² = -σ'/σ³, dr/ds the tangent.
+  using T = Taylor<double, 3>;
+  using J = SecondOrder<double, 1>;
+  Random random("arc length derivatives at the ends");
+  std::vector<double> knots{-1.0, 0.5, 2.5};
+  std::vector<PlanarPhCurve<2>> segments;
+  segments.emplace_back(Vector2<double>{1.0, 2.0}, test::tame_preimage<Complex<double>, 2>(random),
+                        1.5);
+  segments.emplace_back(segments[0].end(), test::tame_preimage<Complex<double>, 2>(random), 2.0);
+  const auto path = PlanarPath<2>::create(knots, segments, false).value();
+  const auto series = test::converted<T>(path);
+  const auto second = test::converted<J>(path);
+  for (const double s :
+       {0.0, 0.3 * path.arc_length(), path.knot_arc_lengths()[1], path.arc_length()}) {
+    const T xi = parameter_at_arc_length(series, T::variable(s));
+    const J same = parameter_at_arc_length(second, J::variable(s, 0));
+    EXPECT_EQ(xi[0], parameter_at_arc_length(path, s));
+    EXPECT_EQ(same.value(), xi[0]);
+    const auto sigma = speed_derivatives(path.preimage_jet<2>(xi[0]));
+    // A preimage within a factor of some tens of its least size; sums of three terms.
+    constexpr double allowed = 1024 * epsilon<double>();
+    EXPECT_NEAR(xi[1] * sigma[0], 1.0, allowed);
+    EXPECT_NEAR(2.0 * xi[2] * sigma[0] * sigma[0] * sigma[0], -sigma[1],
+                allowed * (1.0 + std::abs(sigma[1])));
+    EXPECT_NEAR(same.gradient(0) * sigma[0], 1.0, allowed);
+    EXPECT_NEAR(same.hessian(0, 0) * sigma[0] * sigma[0] * sigma[0], -sigma[1],
+                allowed * (1.0 + std::abs(sigma[1])));
+    const auto point = point_at_arc_length(series, T::variable(s));
+    const auto at = point_at_arc_length(path, s);
+    const auto plain = series.position(xi);
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(point[i][0], at[i], allowed);
+      for (std::size_t k = 1; k <= 3; ++k) {
+        EXPECT_NEAR(point[i][k], plain[i][k], allowed * (1.0 + std::abs(plain[i][k])));
+      }
+    }
+    EXPECT_NEAR(point[0][1] * point[0][1] + point[1][1] * point[1][1], 1.0, allowed);
   }
 }
 

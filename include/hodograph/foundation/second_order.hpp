@@ -26,7 +26,7 @@ template <class S, std::size_t N>
 class SecondOrder {
  public:
   using Base = S;
-  static constexpr std::size_t variables = N;
+  static constexpr std::size_t variables = N, order = 2;
   /// Entries of the lower triangle of the Hessian.
   static constexpr std::size_t triangle = N * (N + 1) / 2;
   /// Value, gradient, and the triangle row by row.

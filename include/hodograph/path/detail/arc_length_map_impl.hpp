@@ -107,21 +107,38 @@ typename A::Scalar search(const PhCurve<A, n>& curve, const typename A::Scalar& 
   return node + (to.newton < width ? to.newton : width);
 }
 
+/// How many derivatives a scalar carries: S::order, or one, as dual numbers do.
+template <class S>
+constexpr std::size_t derivatives_of = 1;
+template <class S>
+  requires requires { S::order; }
+constexpr std::size_t derivatives_of<S> = S::order;
+
+/// u, whose value is that of the arc length t, with the derivatives that t and the curve carry:
+/// every Newton step in the scalar's own arithmetic doubles the number of those that are right.
+/// Where the curve stands still they do not exist, and u stays as it is.
+template <PreimageAlgebra A, std::size_t n>
+typename A::Scalar with_derivatives(const PhCurve<A, n>& curve, typename A::Scalar u,
+                                    const typename A::Scalar& t) {
+  using S = typename A::Scalar;
+  if constexpr (!std::is_same_v<S, real_of_t<S>>) {
+    for (std::size_t right = 1; right <= derivatives_of<S>; right *= 2) {
+      const S step = Steps<S>(curve, curve.evaluate_speed(u), t).newton;
+      if (!is_finite(step)) break;
+      u = u + (step - S(value_of(step)));
+    }
+  }
+  return u;
+}
+
 /// The same from t = s less the length of the segments before; the ends of a curve need no search.
 template <PreimageAlgebra A, std::size_t n>
 typename A::Scalar parameter_at(const PhCurve<A, n>& curve, const ArcLengthTable& table,
                                 const typename A::Scalar& t) {
   using S = typename A::Scalar;
-  if (!(S(0) < t)) return S(0);
-  if (!(t < curve.arc_length())) return S(1);
-  S u = search(curve, t, S(table.guess(to_double(t))));
-  if constexpr (!std::is_same_v<S, real_of_t<S>>) {
-    // The value is found; every Newton step in the scalar's own arithmetic doubles the number of
-    // derivatives that are right.
-    for (std::size_t right = 1; right <= S::order; right *= 2)
-      u = u + Steps<S>(curve, curve.evaluate_speed(u), t).newton;
-  }
-  return u;
+  if (!(S(0) < t)) return with_derivatives(curve, S(0), t);
+  if (!(t < curve.arc_length())) return with_derivatives(curve, S(1), t);
+  return with_derivatives(curve, search(curve, t, S(table.guess(to_double(t)))), t);
 }
 
 /// The point at the arc length t from the start of the curve. From a point within 2^-18 of it,
@@ -131,6 +148,9 @@ point_t<A> point_at(const PhCurve<A, n>& curve, const ArcLengthTable& table,
                     const typename A::Scalar& t) {
   using S = typename A::Scalar;
   using std::abs;
+  if constexpr (!std::is_same_v<S, real_of_t<S>>) {  // as many derivatives as the scalar carries
+    return curve.position(parameter_at(curve, table, t));
+  }
   if (!(S(0) < t)) return curve.start();
   if (!(t < curve.arc_length())) return curve.end();
   const S reach = S(1) / power_of_two<S>(std::numeric_limits<real_of_t<S>>::digits / 3 + 1);
@@ -164,19 +184,31 @@ PathLocation<typename A::Scalar> location_at_arc_length(const Path<A, n>& path,
                                                         const typename A::Scalar& s) {
   using S = typename A::Scalar;
   const std::size_t k = path.segment_at_arc_length(s);
-  if (s == path.arc_length()) return {path.segment_count() - 1, S(1)};
-  return {k, arc_length_detail::parameter_at(path.segment(k), path.arc_length_table(k),
-                                             S(s - path.knot_arc_lengths()[k]))};
+  const auto& curve = path.segment(k);
+  const S t = s - path.knot_arc_lengths()[k];
+  if (s == path.arc_length()) return {k, arc_length_detail::with_derivatives(curve, S(1), t)};
+  return {k, arc_length_detail::parameter_at(curve, path.arc_length_table(k), t)};
 }
 
 template <PreimageAlgebra A, std::size_t n>
 typename A::Scalar parameter_at_arc_length(const Path<A, n>& path, const typename A::Scalar& s) {
-  return path.xi_of(location_at_arc_length(path, s));
+  using S = typename A::Scalar;
+  const auto at = location_at_arc_length(path, s);
+  if constexpr (!std::is_same_v<S, real_of_t<S>>) {
+    if (at.u == S(1)) {  // the knot, and the derivatives of what is behind it
+      return path.knots()[at.segment + 1] +
+             (at.u - S(1)) * path.segment(at.segment).parameter_step();
+    }
+  }
+  return path.xi_of(at);
 }
 
 template <PreimageAlgebra A, std::size_t n>
 point_t<A> point_at_arc_length(const Path<A, n>& path, const typename A::Scalar& s) {
   using S = typename A::Scalar;
+  if constexpr (!std::is_same_v<S, real_of_t<S>>) {
+    return path.position(location_at_arc_length(path, s));
+  }
   const std::size_t k = path.segment_at_arc_length(s);
   if (s == path.arc_length()) return path.segments().back().end();
   return arc_length_detail::point_at(path.segment(k), path.arc_length_table(k),
