@@ -5,23 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/refuse.hpp"
 #include "cli/requests/members.hpp"
+#include "hodograph/rational/work_limits.hpp"
 
 namespace hodograph::cli {
 namespace {
-
-/// Zeros of λ are isolated while their work, degree² · bits of the numbers, stays below this for
-/// all curves together: about a second.
-constexpr double largest_root_work = 0x1p27;
-
-/// Degree times bits of the numbers of A and of alpha, together: twice what degrees 64 with
-/// numbers of a word have, half a minute's work.
-constexpr double largest_input_size = 0x1p14;
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity,
-                         FaultCode code = FaultCode::malformed_document) {
-  throw Error(Fault{code, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
-}
 
 /// A list of coefficients, "p/q", "0.5" or whole numbers, the constant one first.
 RationalPolynomial polynomial_of(const Json& list, Members& members, std::string_view name) {
@@ -123,8 +112,7 @@ DescribedCurve described(RationalPhCurve curve, const std::string& name,
                          std::optional<std::size_t> index, double& root_work) {
   std::optional<std::vector<RealRoot>> stationary;
   const RationalPolynomial& zeros = curve.lambda().numerator();
-  const double degree = std::max(0, zeros.degree());
-  const double work = degree * degree * static_cast<double>(zeros.bits());
+  const double work = hodograph::root_work(zeros);  // root_work is left for all curves together
   if (work <= root_work) {
     root_work -= work;
     stationary = curve.stationary_points();
@@ -255,19 +243,9 @@ void require_small(const RationalProblem& problem) {
                    largest_solution_degree);
   }
   require_degree("A", degree(*problem.a), largest_input_degree);
-  std::size_t bits = 0;
-  for (std::size_t c = 0; c < 4; ++c) bits = std::max(bits, (*problem.a)[c].bits());
-  double size = std::max(1, degree(*problem.a)) * static_cast<double>(bits);
-  if (problem.alpha) {
-    require_degree("alpha", problem.alpha->degree(), largest_input_degree);
-    size += std::max(1, problem.alpha->degree()) * static_cast<double>(problem.alpha->bits());
-  }
-  if (size > largest_input_size) {
-    refuse("the numbers of A and alpha are too large: degree times bits is " +
-               std::to_string(static_cast<long long>(size)) + "; at most " +
-               std::to_string(static_cast<long long>(largest_input_size)) + " is offered",
-           "A", FaultCode::unsupported);
-  }
+  if (problem.alpha) require_degree("alpha", problem.alpha->degree(), largest_input_degree);
+  const auto fault = input_size_fault(*problem.a, problem.alpha.value_or(RationalPolynomial()));
+  if (fault) throw Error(*fault);
 }
 
 void define(RationalProblem& problem, std::string_view text) {

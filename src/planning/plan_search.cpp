@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hodograph/construction/corner.hpp"
+#include "hodograph/foundation/interruption.hpp"
 
 namespace hodograph::planning_detail {
 namespace {
@@ -70,6 +71,7 @@ class Search {
     std::vector<CrowdedCorner> given_up;
     std::size_t attempts = 0;
     while (!queue.empty()) {
+      check_interruption();
       Attempt attempt = queue.top();
       queue.pop();
       if (attempt.done) {

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "hodograph/foundation/interruption.hpp"
 #include "mitred_index.hpp"
 
 namespace hodograph {
@@ -220,6 +221,7 @@ class Search {
       const std::uint32_t number = turns_.top().label;
       turns_.pop();
       do {
+        check_interruption();
         const Entry entry = take(labels_[number]);
         if (entry.kind < 2) {
           open_box(labels_[number], entry,

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <optional>
 
+#include "hodograph/foundation/interruption.hpp"
 #include "hodograph/rational/hermite_curves.hpp"
 #include "hodograph/rational/real_roots.hpp"
 #include "hodograph/rational/text.hpp"
@@ -223,6 +224,7 @@ ConeTest cone_test(const VectorPolynomial& indicatrix, const RationalVector& cho
   }
   long bits = 8;
   while (answer.rounds < most_rounds) {
+    check_interruption();
     ++answer.rounds;
     const NodeAnswer found = at_nodes(values, chord, basis);
     if (found.inside) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "hodograph/foundation/interruption.hpp"
 #include "least_value.hpp"
 #include "linear_program.hpp"
 
@@ -214,6 +215,7 @@ Result<CuspFreeAnswer> answer_within_cone(const HermiteCurves& curves,
   std::size_t cells = 8 * (degree + 2);
   long bits = 4;
   while (answer.rounds < limits.most_rounds) {
+    check_interruption();
     ++answer.rounds;
     const NodeOptimum optimum = fastest_at_nodes(curves, nodes, cap);
     answer.speed_bound = optimum.least_speed;
@@ -357,6 +359,7 @@ Result<DegreeSearch> smallest_cusp_free(const QuaternionPolynomial& a,
   const std::size_t largest = std::max(search.largest_degree, most_power * base_degree);
   for (std::size_t size = 0; size <= largest; ++size) {
     for (std::size_t power = search.least_power; power <= most_power; ++power) {
+      check_interruption();
       const std::size_t m = power * base_degree;
       if (m > size) break;
       const std::size_t degree = std::min(size, search.largest_degree);

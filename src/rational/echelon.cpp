@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "hodograph/foundation/interruption.hpp"
+
 namespace hodograph::rational_detail {
 
 namespace {
@@ -49,6 +51,7 @@ Echelon reduced_echelon(IntegerMatrix matrix) {
   // Down: the row that leads with each column.
   std::map<std::size_t, std::size_t> leads;
   for (std::size_t i = 0; i < matrix.rows(); ++i) {
+    check_interruption();
     fmpz* row = matrix.at(i, 0);
     for (;;) {
       const std::size_t j = leading(row, columns);
@@ -76,6 +79,7 @@ Echelon reduced_echelon(IntegerMatrix matrix) {
   // is to be subtracted.
   IntegerMatrix& rows = result.rows;
   for (std::size_t i = result.pivots.size(); i-- > 0;) {
+    check_interruption();
     fmpz* row = rows.at(i, 0);
     std::vector<std::size_t> used;
     fmpz_one(common.get());

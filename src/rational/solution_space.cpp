@@ -11,6 +11,7 @@
 #include "echelon.hpp"
 #include "flint.hpp"
 #include "hermite_reduction.hpp"
+#include "hodograph/foundation/interruption.hpp"
 #include "hodograph/rational/motion_polynomial.hpp"
 #include "input_faults.hpp"
 
@@ -63,6 +64,7 @@ std::vector<RationalPolynomial> residue_free(const HermiteReduction& reduction,
     if (whole.is_zero()) continue;
     const fmpz* f = fmpq_poly_numref(raw(whole));
     for (std::size_t k = 0; k < unknowns; ++k) {
+      check_interruption();
       for (std::size_t i = 0; i <= degree_of(whole); ++i) {
         const auto length = static_cast<std::size_t>(fmpq_poly_length(raw(residues[k + i])));
         for (std::size_t r = 0; r < length; ++r) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "arrival_search.hpp"
+#include "hodograph/foundation/interruption.hpp"
 
 namespace hodograph {
 namespace {
@@ -148,6 +149,7 @@ class ChoiceSearch {
       const std::size_t a = level.next++;
       if (blocked_[i][a] != 0) continue;
       choice_[i] = a;
+      check_interruption();
       ++effort_->choices;
       if (rule_out(level, a)) return true;
       undo(level);

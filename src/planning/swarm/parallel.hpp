@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "hodograph/foundation/interruption.hpp"
+
 namespace hodograph::planning_detail {
 
 /// As many threads as asked for, as the machine runs at once where 0 are, at most one a chunk.
@@ -17,13 +19,17 @@ inline std::size_t thread_count(unsigned wanted, std::size_t chunks) {
 }
 
 /// body(begin, end, thread) over chunks of [0, count), each once; which thread takes a chunk is
-/// open, so a body writes only what its own indices own. Domain: body does not throw.
+/// open, so a body writes only what its own indices own. Domain: body does not throw. Throws Error
+/// (cancelled) where the calling thread's work is to stop, between two chunks.
 template <class Body>
 void in_parallel(std::size_t count, std::size_t chunk, unsigned wanted, const Body& body) {
   const std::size_t threads = thread_count(wanted, (count + chunk - 1) / chunk);
   std::atomic<std::size_t> next{0};
+  std::atomic<bool> stopped{false};
   const auto work = [&](std::size_t thread) {
     for (;;) {
+      if (thread == 0 && interruption_wanted()) stopped = true;
+      if (stopped) return;
       const std::size_t begin = next.fetch_add(chunk);
       if (begin >= count) return;
       body(begin, std::min(begin + chunk, count), thread);
@@ -33,6 +39,7 @@ void in_parallel(std::size_t count, std::size_t chunk, unsigned wanted, const Bo
   for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, t);
   work(0);
   for (std::thread& other : others) other.join();
+  check_interruption();
 }
 
 }  // namespace hodograph::planning_detail

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "separation_search.hpp"
 
+#include "hodograph/foundation/interruption.hpp"
+
 namespace hodograph::planning_detail {
 
 namespace {
@@ -82,6 +84,7 @@ SeparationSearch::Found SeparationSearch::run(const MovingPair& pair, double wid
 SeparationSearch::Found SeparationSearch::finish(const MovingPair& pair,
                                                  std::size_t most_evaluations) {
   while (!open_.empty() && (cutoff_ == none || found_.upper >= cutoff_)) {
+    check_interruption();
     const Interval top = open_.front();
     if (top.lower >= found_.upper - width_ || meetings_.size() >= most_evaluations) break;
     std::pop_heap(open_.begin(), open_.end());

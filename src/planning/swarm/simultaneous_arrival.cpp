@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "arrival_search.hpp"
+#include "hodograph/foundation/interruption.hpp"
 #include "hodograph/path/bounds.hpp"
 
 namespace hodograph {
@@ -87,6 +88,7 @@ std::string what_would_do(const ArrivingVehicle& v, std::span<const double> time
   ArrivingVehicle free = v;
   free.most_curvature.reset();
   for (const double time : times) {
+    check_interruption();
     if (first_path(v, time)) {
       return "arrival at " + to_text(time) + ", a length of " +
              to_text(v.speed * (time - v.departure)) + ", would do";
@@ -127,6 +129,7 @@ std::optional<SimultaneousArrival> first_that_serves(std::span<const double> tim
                                                      const ArrivalSearch& search,
                                                      const Attempt& attempt) {
   for (std::size_t k = 0; k < times.size(); ++k) {
+    check_interruption();
     auto best = attempt(times[k]);
     if (!best) continue;
     if (k == 0) return best;
