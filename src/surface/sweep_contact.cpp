@@ -234,13 +234,14 @@ class Search {
     std::vector<Pair> open;
     const std::size_t n = roots_.size();
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = i; j < n; ++j) {
+      for (std::size_t j = i + 1; j < n; ++j) {
         const bool round = closed_ && i == 0 && j + 1 == n;
         Stretch* a = roots_[round ? j : i].get();
         Stretch* b = roots_[round ? i : j].get();
         open.push_back({a, b, round || j == i + 1});
       }
     }
+    for (const auto& root : roots_) open.push_back({root.get(), root.get(), false});
     while (!open.empty()) {
       const Pair pair = open.back();
       open.pop_back();
@@ -253,9 +254,10 @@ class Search {
       if (&a == &b) {
         if (advances(a, a)) continue;
         if (!halves(a)) return answer;
+        // Folds first: they are found soonest.
+        open.push_back({a.half[0].get(), a.half[1].get(), true});
         open.push_back({a.half[0].get(), a.half[0].get(), false});
         open.push_back({a.half[1].get(), a.half[1].get(), false});
-        open.push_back({a.half[0].get(), a.half[1].get(), true});
         continue;
       }
       if (pair.adjacent ? advances(a, a) && advances(a, b) : separated(a, b)) {
@@ -353,22 +355,25 @@ class Search {
   /// Whether no section of `a` meets one of a or of its neighbour `b` on account of what is
   /// between, for η in b.
   static bool advances(const Stretch& a, const Stretch& b) {
-    double terms = 0.0;
+    double terms = 0.0, most = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Range t = component(b.back, i);
       terms += (a.sections.size() + b.path.size()) * std::max(std::abs(t.low), std::abs(t.high));
+      const Range x{a.sections.low[i] - b.path.high[i], a.sections.high[i] - b.path.low[i]};
+      most += times(x, t).high;
     }
-    // Point by point: a box of the sections would hold points further out than they.
-    double most = -Box::infinity;
+    const double spread = std::max(a.spread, b.spread);
+    const double least = b.advance - margin * spread * (b.advance + terms);
+    if (least > most) return true;
+    // Point by point: the box of the sections holds points further out than they.
     for (const auto& p : a.hull) {
       double sum = 0.0;
       for (std::size_t i = 0; i < 3; ++i) {
         sum += times({p[i] - b.path.high[i], p[i] - b.path.low[i]}, component(b.back, i)).high;
       }
-      most = std::max(most, sum);
+      if (!(least > sum)) return false;
     }
-    const double spread = std::max(a.spread, b.spread);
-    return b.advance - margin * spread * b.advance > most + margin * spread * terms;
+    return true;
   }
 
   /// Whether a plane lies between the hulls: across one of some directions.
