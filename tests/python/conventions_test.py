@@ -189,6 +189,34 @@ class Conventions(unittest.TestCase):
         b = [component for component in space.basis[0].value("2")]
         self.assertEqual(at_two, [-2 * component / 8 for component in b[-3:]])  # alpha(2) = 8
 
+    def test_power_form_begins_with_the_constant(self):
+        self.assertEqual(str(hodograph.RationalPolynomial(["1", "2", "3"])), "3*t^2 + 2*t + 1")
+
+    # ---- names and units ---------------------------------------------------------------------------
+
+    def test_rates_of_rotation_say_of_what_and_per_what(self):
+        rates = {name for name in hodograph.__all__ if "_rate" in name and name.islower()
+                 and name.startswith(("body", "world", "angular"))}
+        self.assertTrue({"body_rate_per_xi", "body_rate_per_arc_length", "world_rate_per_xi",
+                         "world_rate_per_arc_length"} <= rates)
+        for name in rates:
+            self.assertRegex(name, "_per_(xi|arc_length)$")
+        self.assertFalse([name for name in hodograph.__all__ if "omega" in name.lower()])
+
+    def test_functions_are_snake_case_and_types_camel_case(self):
+        for name in hodograph.__all__:
+            thing = getattr(hodograph, name)
+            if isinstance(thing, type):
+                self.assertRegex(name, "^([A-Z][a-z0-9]*)+$")
+            elif callable(thing):
+                self.assertRegex(name, "^[a-z][a-z0-9]*(_[a-z0-9]+)*$")
+
+    def test_orbits_state_their_units(self):
+        orbit = hodograph.answer({"request": "orbit", "name": "gateway"})["result"]
+        self.assertTrue(3.8e5 < orbit["length_unit_km"] < 4e5)
+        days = orbit["period"] * orbit["time_unit_s"] / 86400
+        self.assertAlmostEqual(days, orbit["period_days"], places=9)
+
     # ---- numbers in Python and in files ------------------------------------------------------------
 
     def test_frames_have_their_axes_as_columns(self):
