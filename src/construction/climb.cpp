@@ -69,7 +69,7 @@ struct Task {
   Vector3<double> start;
   Quaternion<double> upright = no_turn;
   double rise = 0.0, ground_length = 0.0;
-  double slope = 0.0;  ///< tan θ where the angle gives the length over ground; else 0
+  double slope = 0.0, angle = 0.0;  ///< tan θ and θ, where they give the ground length; else 0
 };
 
 Task task_between(const HeadedPoint& begin, const HeadedPoint& end) {
@@ -85,17 +85,11 @@ Task task_between(const HeadedPoint& begin, const HeadedPoint& end) {
 std::optional<Fault> set_angle(Task& task, double angle) {
   if (!(std::abs(angle) < quarter_turn) || angle == 0.0) return angle_fault(angle);
   if (task.rise == 0.0 || (task.rise > 0.0) != (angle > 0.0)) return wrong_way(angle, task.rise);
+  task.angle = angle;
   task.slope = std::tan(angle);
   task.ground_length = task.rise / task.slope;
   if (!std::isfinite(task.ground_length)) return out_of_range();
   return std::nullopt;
-}
-
-std::optional<Fault> task_of_angle(const HeadedPoint& begin, const HeadedPoint& end, double angle,
-                                   Task& task) {
-  if (auto fault = planar_detail::altitude_fault(begin, end)) return fault;
-  task = task_between(begin, end);
-  return set_angle(task, angle);
 }
 
 /// Whether a length is that of the straight line between the points, up to rounding.
@@ -107,14 +101,17 @@ bool is_straight(const Vector2<double>& chord, double length) {
   }
   return length <= well_above * std::hypot(chord.x, chord.y);
 }
+bool is_straight(const Task& task) {
+  return is_straight(task.end.position - task.begin.position, task.ground_length);
+}
 
 using PlanPreimage = BernsteinPolynomial<Complex<double>, 2>;
 
 /// The slope of a plan that was made: over the length asked for, except that a straight line has
 /// its own.
 double slope_over(const Task& task, const PlanPreimage& plan, double h) {
-  const bool straight = is_straight(task.end.position - task.begin.position, task.ground_length);
-  return task.rise / (straight ? PlanarPhCurve<2>({}, plan, h).arc_length() : task.ground_length);
+  return task.rise /
+         (is_straight(task) ? PlanarPhCurve<2>({}, plan, h).arc_length() : task.ground_length);
 }
 
 bool is_usable(const SpatialPhCurve<2>& curve) {
@@ -165,24 +162,40 @@ Fault explained(Fault fault, const Task& task) {
   return fault;
 }
 
+/// The climb above a plan. It is made where the result is to stand: a copy of its four hundred
+/// bytes takes as long as the lifting.
+struct Lifting {
+  const Task& task;
+  const planar_detail::LengthChoice& choice;
+  double h;
+
+  operator ClimbCurve() const {
+    const PlanPreimage plan(choice.preimage);
+    const double slope = slope_over(task, plan, h);
+    const bool by_angle = task.slope != 0.0 && !is_straight(task);
+    return {{task.start, lifted(plan, slope, task.upright), h},
+            by_angle ? task.angle : std::atan(slope),
+            task.ground_length,
+            choice.rotation_index,
+            choice.margin,
+            choice.tie,
+            choice.loop_free};
+  }
+};
+
+Result<ClimbCurve> answer(const Lifting& lifting) {
+  Result<ClimbCurve> result(std::in_place, lifting);
+  if (!is_usable(result->curve)) result = out_of_range();
+  return result;
+}
+
 Result<ClimbCurve> solve(const Task& task, double h, LengthSolutions among) {
   planar_detail::LengthChoice choice;
   if (auto fault = planar_detail::choose_length(task.begin, task.end, task.ground_length, h, among,
                                                 choice)) {
     return explained(*std::move(fault), task);
   }
-  const PlanPreimage plan(choice.preimage);
-  const double slope = slope_over(task, plan, h);
-  Result<ClimbCurve> result(std::in_place);
-  result->curve = {task.start, lifted(plan, slope, task.upright), h};
-  if (!is_usable(result->curve)) return out_of_range();
-  result->climb_angle = std::atan(slope);
-  result->ground_length = task.ground_length;
-  result->rotation_index = choice.rotation_index;
-  result->margin = choice.margin;
-  result->tie = choice.tie;
-  result->loop_free = choice.loop_free;
-  return result;
+  return answer({task, choice, h});
 }
 
 Result<std::vector<ClimbSolution>> solve_all(const Task& task, double h, LengthSolutions among) {
@@ -241,6 +254,7 @@ Result<Task> task_about(const Vector3<double>& axis, const DirectedPoint3& begin
   const double angle = std::atan2(up, level);
   if (std::abs(up) <= accuracy::join_error<double>()) return angle_fault(0.0);
   if (!(way.z * up > 0.0)) return wrong_way(angle, way.z);
+  task.angle = angle;
   task.slope = up / level;
   task.ground_length = way.z / task.slope;
   return task;
@@ -250,8 +264,9 @@ Result<Task> task_about(const Vector3<double>& axis, const DirectedPoint3& begin
 
 Result<ClimbCurve> climb_curve(const HeadedPoint& begin, const HeadedPoint& end, double climb_angle,
                                double h, LengthSolutions among) {
-  Task task;
-  if (auto fault = task_of_angle(begin, end, climb_angle, task)) return *std::move(fault);
+  if (auto fault = planar_detail::altitude_fault(begin, end)) return *std::move(fault);
+  Task task = task_between(begin, end);
+  if (auto fault = set_angle(task, climb_angle)) return *std::move(fault);
   return solve(task, h, among);
 }
 
@@ -267,8 +282,9 @@ Result<ClimbCurve> climb_curve_of_ground_length(const HeadedPoint& begin, const 
 Result<std::vector<ClimbSolution>> climb_solutions(const HeadedPoint& begin, const HeadedPoint& end,
                                                    double climb_angle, double h,
                                                    LengthSolutions among) {
-  Task task;
-  if (auto fault = task_of_angle(begin, end, climb_angle, task)) return *std::move(fault);
+  if (auto fault = planar_detail::altitude_fault(begin, end)) return *std::move(fault);
+  Task task = task_between(begin, end);
+  if (auto fault = set_angle(task, climb_angle)) return *std::move(fault);
   return solve_all(task, h, among);
 }
 

@@ -11,6 +11,7 @@ namespace hodograph::planar_detail {
 using Run = void (*)(const double*, std::size_t, double*);
 struct Kernels {
   Run hermite, prescribed_length;
+  void (*one_prescribed_length)(const double*, double*);
   void (*turns)(const double*, double*);
 };
 
@@ -18,6 +19,7 @@ struct Kernels {
   namespace isa {                                                               \
   void hermite_run(const double* in, std::size_t count, double* out);           \
   void prescribed_length_run(const double* in, std::size_t count, double* out); \
+  void one_prescribed_length_run(const double* in, double* out);                \
   void four_turns_run(const double* in, double* turns);                         \
   }
 HODOGRAPH_DECLARE_KERNELS(baseline)
@@ -29,15 +31,22 @@ HODOGRAPH_DECLARE_KERNELS(avx512)
 
 namespace {
 
+#define HODOGRAPH_KERNELS_OF(isa)                                                 \
+  {                                                                               \
+    isa::hermite_run, isa::prescribed_length_run, isa::one_prescribed_length_run, \
+        isa::four_turns_run                                                       \
+  }
+
 Kernels choose() {
 #if defined(HODOGRAPH_X86_KERNELS)
   const std::string_view isa = batch_detail::kernel_instruction_set();
-  if (isa == "avx512")
-    return {avx512::hermite_run, avx512::prescribed_length_run, avx512::four_turns_run};
-  if (isa == "avx2") return {avx2::hermite_run, avx2::prescribed_length_run, avx2::four_turns_run};
+  if (isa == "avx512") return HODOGRAPH_KERNELS_OF(avx512);
+  if (isa == "avx2") return HODOGRAPH_KERNELS_OF(avx2);
 #endif
-  return {baseline::hermite_run, baseline::prescribed_length_run, baseline::four_turns_run};
+  return HODOGRAPH_KERNELS_OF(baseline);
 }
+
+#undef HODOGRAPH_KERNELS_OF
 
 const Kernels& kernels() {
   static const Kernels chosen = choose();
@@ -51,6 +60,9 @@ void solve_hermites(const double* in, std::size_t count, double* out) {
 }
 void solve_prescribed_lengths(const double* in, std::size_t count, double* out) {
   kernels().prescribed_length(in, count, out);
+}
+void solve_prescribed_length(const double* in, double* out) {
+  kernels().one_prescribed_length(in, out);
 }
 void four_turns(const double* in, double* turns) { kernels().turns(in, turns); }
 

@@ -74,21 +74,33 @@ Fault off_the_chord(double length, double angle, double most) {
 
 /// Whether a problem needs none of the care that `prepare` takes: numbers of ordinary size and a
 /// length above the chord's by more than rounding. NaN and infinity do.
-bool is_ordinary(const PrescribedLengthProblem& p) {
+bool is_ordinary(const DirectedPoint& begin, const DirectedPoint& end, double length, double h) {
   constexpr double most = 0x1.0p+160, least = 1.0 / most;
-  const Vector2<double> chord = p.end.position - p.begin.position;
-  const double first = largest_component(p.begin.direction);
-  const double last = largest_component(p.end.direction);
+  const Vector2<double> chord = end.position - begin.position;
+  const double first = largest_component(begin.direction);
+  const double last = largest_component(end.direction);
   const double reach = largest_component(chord);
-  const double sum = first + last + reach + p.length + std::abs(chord.x) + std::abs(chord.y) +
-                     std::abs(p.begin.direction.y) + std::abs(p.end.direction.y);
-  if (!(sum < most && least < first && least < last && least < p.length && 0.0 < p.step &&
-        p.step <= std::numeric_limits<double>::max())) {
+  const double sum = first + last + reach + length + std::abs(chord.x) + std::abs(chord.y) +
+                     std::abs(begin.direction.y) + std::abs(end.direction.y);
+  if (!(sum < most && least < first && least < last && least < length && 0.0 < h &&
+        h <= std::numeric_limits<double>::max())) {
     return false;
   }
   const double well_above = 1.0 + 2.0 * accuracy::join_error<double>();
-  return reach > least ? well_above * well_above * dot(chord, chord) < p.length * p.length
+  return reach > least ? well_above * well_above * dot(chord, chord) < length * length
                        : reach == 0.0;
+}
+
+/// The row of the kernels.
+std::array<double, length_numbers_in> row_of(const DirectedPoint& begin, const DirectedPoint& end,
+                                             double length) {
+  return {begin.direction.x,
+          begin.direction.y,
+          end.direction.x,
+          end.direction.y,
+          end.position.x - begin.position.x,
+          end.position.y - begin.position.y,
+          length};
 }
 
 /// Fills `data`; the fault if there is one.
@@ -186,6 +198,22 @@ void solve_pair(const Canonical& data, const Complex<double>& e, std::size_t at,
   }
 }
 
+/// The two of an ordinary problem, and the turn of `data` (its scale is 1).
+void solve_ordinary(const DirectedPoint& begin, const DirectedPoint& end, double length,
+                    Canonical& data, Roots& roots) {
+  const auto in = row_of(begin, end, length);
+  double out[one_length_numbers_out];
+  solve_prescribed_length(in.data(), out);
+  const auto number = [&](std::size_t i) { return Complex<double>{out[2 * i], out[2 * i + 1]}; };
+  roots.preimages[0] = {number(0), number(1), number(3)};
+  roots.preimages[1] = {number(0), number(2), number(3)};
+  data.scale = 1.0;
+  data.turn = number(4);
+  roots.turns[0] = out[10];
+  roots.turns[1] = out[11];
+  roots.unavoidable = out[12];
+}
+
 template <std::size_t count>
 Ranking<count> rank(const Roots& roots) {
   std::array<Preimage, count> preimages;
@@ -226,19 +254,23 @@ std::optional<Fault> choose_length(const DirectedPoint& begin, const DirectedPoi
                                    double length, double h, LengthSolutions among,
                                    LengthChoice& choice) {
   Canonical data;
-  if (auto fault = prepare(begin, end, length, h, data)) return fault;
-  const double root = std::sqrt(h);
-  if (data.straight) {
-    choice.preimage = placed(data, straight_line(data), root);
-    choice.margin = std::numeric_limits<double>::infinity();
-    return std::nullopt;
-  }
   Roots roots;
-  solve_pair(data, data.e, 0, roots);
+  const double root = std::sqrt(h);
   std::size_t count = 2;
-  if (among == LengthSolutions::all) {
-    solve_pair(data, -data.e, 2, roots);
-    count = 4;
+  if (among == LengthSolutions::published && is_ordinary(begin, end, length, h)) {
+    solve_ordinary(begin, end, length, data, roots);
+  } else {
+    if (auto fault = prepare(begin, end, length, h, data)) return fault;
+    if (data.straight) {
+      choice.preimage = placed(data, straight_line(data), root);
+      choice.margin = std::numeric_limits<double>::infinity();
+      return std::nullopt;
+    }
+    solve_pair(data, data.e, 0, roots);
+    if (among == LengthSolutions::all) {
+      solve_pair(data, -data.e, 2, roots);
+      count = 4;
+    }
   }
   std::size_t best = 0;
   double next = std::numeric_limits<double>::infinity();
@@ -364,18 +396,12 @@ std::optional<Fault> prescribed_length_curves(std::span<const PrescribedLengthPr
   };
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const PrescribedLengthProblem& p = problems[i];
-    if (!is_ordinary(p)) {
+    if (!is_ordinary(p.begin, p.end, p.length, p.step)) {
       if (auto fault = answer_alone(i)) return fault;
       continue;
     }
-    const double numbers[] = {p.begin.direction.x,
-                              p.begin.direction.y,
-                              p.end.direction.x,
-                              p.end.direction.y,
-                              p.end.position.x - p.begin.position.x,
-                              p.end.position.y - p.begin.position.y,
-                              p.length};
-    std::copy(std::begin(numbers), std::end(numbers), in + count * length_numbers_in);
+    const auto numbers = row_of(p.begin, p.end, p.length);
+    std::copy(numbers.begin(), numbers.end(), in + count * length_numbers_in);
     waiting[count] = i;
     if (++count == longest) answer_waiting();
   }

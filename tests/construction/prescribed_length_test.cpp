@@ -198,6 +198,11 @@ TEST(PrescribedLength, MeetsRandomDataAndTheBatchGivesTheSameBits) {
                           straight ? 4 * std::sqrt(accuracy::join_error<double>()) : 0.0);
       }
       EXPECT_LE((*all)[0].rotation_index, found->rotation_index + accuracy_of_rotation_index);
+      // One problem in lanes has the bits of plain numbers, which list the solutions.
+      const auto listed = prescribed_length_solutions(p.begin, p.end, p.length, p.step);
+      ASSERT_TRUE(listed);
+      EXPECT_EQ((*listed)[0].curve, found->curve);
+      EXPECT_EQ((*listed)[0].rotation_index, found->rotation_index);
     }
     if (::testing::Test::HasFailure()) {
       FAIL() << i << ": length " << p.length << " directions " << p.begin.direction.x << " "

@@ -75,6 +75,41 @@ template <std::size_t width, class Solve>
 
 constexpr std::size_t few = lanes < 4 ? lanes : 4;
 using Few = Pack<few, ThisFile>;
+using Two = Pack<2, ThisFile>;
+
+[[gnu::always_inline]] inline Two two(double first, double second) {
+  Two result(first);
+  result.set(1, second);
+  return result;
+}
+
+/// The turns of both solutions and, as often as lanes are left, the turn from -|φs|/2 over 0 to
+/// |φe|/2.
+struct TurnsBeside {
+  const Complex<Two>&s, &e;
+  double* turns;
+
+  [[gnu::always_inline]] void operator()(const LengthRoots<Two>& found) const {
+    const auto row = [](const Two& solution, const Two& other, const Two& bound, std::size_t i) {
+      Few lanes_of(i == 0 ? solution[0] : bound[0]);
+      if (i == 0) lanes_of.set(1, other[0]);
+      if constexpr (few == 4) {
+        lanes_of.set(2, bound[0]);
+        lanes_of.set(3, bound[0]);
+      }
+      return lanes_of;
+    };
+    const Two one(1.0), zero(0.0);
+    for (std::size_t i = 0; i < 4; i += few) {
+      path_detail::absolute_turn<Few>(
+          {row(found.w0.re, found.w0.re, s.re, i), row(found.w0.im, found.w0.im, -abs(s.im), i)},
+          {row(found.w1[0].re, found.w1[1].re, one, i),
+           row(found.w1[0].im, found.w1[1].im, zero, i)},
+          {row(found.w2.re, found.w2.re, e.re, i), row(found.w2.im, found.w2.im, abs(e.im), i)})
+          .store(turns + i);
+    }
+  }
+};
 
 }  // namespace
 
@@ -87,6 +122,22 @@ void hermite_run(const double* in, std::size_t count, double* out) {
 void prescribed_length_run(const double* in, std::size_t count, double* out);
 void prescribed_length_run(const double* in, std::size_t count, double* out) {
   run<7>(in, count, out, [](const P* i, P* o) { prescribed_length(i, o); });
+}
+
+// Both ends' half angles in two lanes, and without a branch: half the time of plain numbers.
+void one_prescribed_length_run(const double* in, double* out);
+void one_prescribed_length_run(const double* in, double* out) {
+  const Complex<Two> directions{two(in[0], in[2]), two(in[1], in[3])}, chord{in[4], in[5]};
+  const auto ends = canonical_ends<Two>(directions, directions, chord);
+  const Complex<Two> s{ends.s.re[0], ends.s.im[0]}, e{ends.s.re[1], ends.s.im[1]};
+  const auto found =
+      solve_length<Two>(s, e, in[6] + ends.chord, excess_of<Two>(in[6], chord, ends.chord),
+                        TurnsBeside{s, e, out + 10});
+  const Complex<Two>* numbers[] = {&found.w0, &found.w1[0], &found.w1[1], &found.w2, &ends.turn};
+  for (std::size_t i = 0; i < 5; ++i) {
+    out[2 * i] = numbers[i]->re[0];
+    out[2 * i + 1] = numbers[i]->im[0];
+  }
 }
 
 void four_turns_run(const double* in, double* turns);

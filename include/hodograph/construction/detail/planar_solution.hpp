@@ -98,6 +98,11 @@ void solve_hermites(const double* in, std::size_t count, double* out);
 /// Rows of directions, chord and length (7 numbers) to w0, w1, w2, turn, next (8 numbers).
 inline constexpr std::size_t length_numbers_in = 7, length_numbers_out = 8;
 void solve_prescribed_lengths(const double* in, std::size_t count, double* out);
+/// One such row to w0, both w1 and w2 in canonical position, the number that turns them back, the
+/// turns of both solutions and, twice, half of the unavoidable one (14 numbers): what single
+/// numbers would give, in lanes.
+inline constexpr std::size_t one_length_numbers_out = 14;
+void solve_prescribed_length(const double* in, double* out);
 
 /// The turns of four preimages at once, in lanes. In: four numbers each of re w0, im w0, re w1, im
 /// w1, re w2, im w2.
