@@ -29,12 +29,14 @@ struct PieceGroup {
       turn[most_lanes];
 };
 
-/// Where frames are wanted: on lane l at ξ[first[l]], ..., count[l] of them.
+/// Where frames are wanted: on lane l at ξ[first[l]], ..., count[l] of them. The frames of later
+/// parameters may be written, too: they are anything until their own pieces have their turn.
 struct FrameLanes {
   alignas(64) double angle[most_lanes];                      ///< the roll at x = 0
   alignas(64) double center[most_lanes], scale[most_lanes];  ///< x = (ξ - center) scale
   std::size_t first[most_lanes], count[most_lanes];
-  std::size_t used;  ///< lanes
+  std::size_t used;    ///< lanes
+  std::size_t points;  ///< of the whole path
   const double* xi;
   double* frames;  ///< 9 numbers each
 };
@@ -43,6 +45,7 @@ struct MinimisingKernels {
   std::size_t lanes, nodes;
   void (*expand)(const PieceLanes&, PieceGroup&);
   void (*frames)(const PieceGroup&, const FrameLanes&);
+  bool (*ascend)(const double* numbers, std::size_t count);  ///< none below the one before; no NaN
 };
 
 }  // namespace hodograph::frame_detail

@@ -101,7 +101,10 @@ NormalDirection normal_direction(const Row<Quaternion<double>>& a) {
   return result;
 }
 
-KnotTurn knot_turn(const Row<Quaternion<double>>& before, const Row<Quaternion<double>>& after) {
+namespace {
+
+path_detail::PreimageTurn<Quaternion<double>> turn_of(const Row<Quaternion<double>>& before,
+                                                      const Row<Quaternion<double>>& after) {
   path_detail::PreimageTurn<Quaternion<double>> turn;
   const double end = largest_component(before.back()), begin = largest_component(after.front());
   turn.q = conjugate((1.0 / begin) * after.front()) * ((1.0 / end) * before.back());
@@ -110,6 +113,17 @@ KnotTurn knot_turn(const Row<Quaternion<double>>& before, const Row<Quaternion<d
   for (const auto& a : before) last = std::max(last, largest_component(a));
   for (const auto& a : after) first = std::max(first, largest_component(a));
   turn.allowed = accuracy::join_error<double>() * (last / end + first / begin);
+  return turn;
+}
+
+}  // namespace
+
+bool tangent_breaks(const Row<Quaternion<double>>& before, const Row<Quaternion<double>>& after) {
+  return turn_of(before, after).is_break();
+}
+
+KnotTurn knot_turn(const Row<Quaternion<double>>& before, const Row<Quaternion<double>>& after) {
+  const auto turn = turn_of(before, after);
   KnotTurn result;
   result.breaks = turn.is_break();
   result.angle = turn.angle();

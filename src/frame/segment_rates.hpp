@@ -101,5 +101,7 @@ struct KnotTurn {
 };
 /// Domain: |A| > 0 on both sides.
 KnotTurn knot_turn(const Row<Quaternion<double>>& before, const Row<Quaternion<double>>& after);
+/// `breaks` of the same alone, which needs no angle.
+bool tangent_breaks(const Row<Quaternion<double>>& before, const Row<Quaternion<double>>& after);
 
 }  // namespace hodograph::frame_detail

@@ -90,6 +90,28 @@ TEST(MinimisingFrames, AreThoseOfTheRollWithinTheirBounds) {
   expect_everywhere<8>(random, 2);
 }
 
+/// Packs of frames are written whole where later frames follow: never beyond the last.
+TEST(MinimisingFrames, AreWrittenWhereTheyWereAskedForAndNowhereElse) {
+  Random random("ends of packs");
+  const PreimageTable path(random_path<SpatialPath<2>>(random, 3));
+  const FrameRoll roll = rotation_minimising_roll(path, 0.0).value();
+  const Vector3<double> untouched{-7.0, -8.0, -9.0};
+  for (std::size_t count = 1; count <= 40; ++count) {
+    const auto xi = spread(path, count);
+    const Frame3<double> mark{untouched, untouched, untouched};
+    std::vector<Frame3<double>> frames(count + 10, mark), expected(count);
+    ASSERT_TRUE(rotation_minimising_frames(path, fine, xi, std::span(frames).first(count)));
+    for (std::size_t i = count; i < frames.size(); ++i) {
+      EXPECT_EQ(frames[i].e1, untouched);
+      EXPECT_EQ(frames[i].e3, untouched);
+    }
+    RolledFrames(path, roll).at(xi, expected);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_LE(norm(frames[i].e2 - expected[i].e2), 2.0 * fine) << i << " of " << count;
+    }
+  }
+}
+
 TEST(MinimisingFrames, GoRoundClosedLoops) {
   for (const double xi : {0.3, 1.0}) {
     for (const double psi : {0.7, 2.0}) {
@@ -150,8 +172,10 @@ TEST(MinimisingFrames, RefuseWhatTheRollRefuses) {
   EXPECT_EQ(code(rotation_minimising_frames(path, 0.0, xi, frames)), FaultCode::outside_domain);
   EXPECT_EQ(code(rotation_minimising_frames(path, nan, xi, frames)), FaultCode::outside_domain);
   EXPECT_EQ(code(rotation_minimising_frames(path, 0.5, xi, frames, nan)), FaultCode::not_finite);
-  EXPECT_EQ(code(rotation_minimising_frames(path, epsilon<double>(), xi, frames)),
-            FaultCode::tolerance_not_reached);
+  for (const double tiny : {epsilon<double>(), std::numeric_limits<double>::denorm_min()}) {
+    EXPECT_EQ(code(rotation_minimising_frames(path, tiny, xi, frames)),
+              FaultCode::tolerance_not_reached);
+  }
   EXPECT_EQ(code(rotation_minimising_frames(path, 0.5, xi, std::span(frames).first(9))),
             FaultCode::mismatched_size);
   for (const double outside : {path.knots.back() + 1.0, path.knots.front() - 1.0, nan}) {

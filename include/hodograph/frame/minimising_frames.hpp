@@ -19,7 +19,7 @@ namespace hodograph {
 /// time where the frames are few or the accuracy is moderate. Returns a bound of the angle
 /// (radians) between these frames and the exact ones: at most `accuracy`, rounding included.
 ///
-/// Method: the rate -2N/σ of the roll in Chebyshev series of 12 or 16 terms on pieces of the
+/// Method: the rate -2N/σ of the roll in Chebyshev series of 8 or 16 terms on pieces of the
 /// segments, several pieces side by side in vector registers; as in rotation_minimising_roll what a
 /// series leaves out is bounded by a few of its coefficients (src/frame/rate_series.hpp), and
 /// pieces are halved until the bounds add up to half of the accuracy. Where that is not enough

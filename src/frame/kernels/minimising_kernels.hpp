@@ -327,30 +327,36 @@ void frames(const PieceGroup& group, const FrameLanes& at) {
     const P center(at.center[l]), scale(at.scale[l]);
     const double* xi = at.xi + at.first[l];
     double* to = at.frames + 9 * at.first[l];
-    for (std::size_t j = 0; j < at.count[l]; j += lanes, xi += lanes, to += 9 * lanes) {
-      const std::size_t here = at.count[l] - j < lanes ? at.count[l] - j : lanes;
-      P x(xi[0]);
-      if (here == lanes) {
-        x = P::load(xi);
-      } else {
-        for (std::size_t i = 1; i < here; ++i) x.set(i, xi[i]);
+    const std::size_t behind = at.points - at.first[l];  // from here to the end of the path
+    for (std::size_t j = 0; j < at.count[l]; j += lanes) {
+      // A pack may go on beyond the piece: the next pieces write anew what it leaves there.
+      const bool fits = j + lanes <= behind;
+      double last_xi[lanes], last_rows[9 * lanes];
+      if (!fits) {
+        for (std::size_t i = 0; i < lanes; ++i) last_xi[i] = xi[j + i < behind ? j + i : j];
       }
-      const auto rows =
-          axes_at<n, nodes>((x - center) * scale, [&](std::size_t k) { return P(own[k]); },
-                            [&](std::size_t k) { return P(half_roll[k]); });
-      if (here == lanes) {
-        store_rows([&](std::size_t i) { return to + 9 * i; }, rows);
-      } else {
-        for (std::size_t i = 0; i < here; ++i) {
-          for (std::size_t k = 0; k < 9; ++k) to[9 * i + k] = rows[k][i];
-        }
-      }
+      double* rows = fits ? to + 9 * j : last_rows;
+      store_rows([&](std::size_t i) { return rows + 9 * i; },
+                 axes_at<n, nodes>((P::load(fits ? xi + j : last_xi) - center) * scale,
+                                   [&](std::size_t k) { return P(own[k]); },
+                                   [&](std::size_t k) { return P(half_roll[k]); }));
+      for (std::size_t i = 0; !fits && i < 9 * (behind - j); ++i) to[9 * j + i] = last_rows[i];
     }
   }
 }
 
+bool ascend(const double* numbers, std::size_t count) {
+  auto all = P(0.0) <= P(0.0);
+  std::size_t i = 0;
+  for (; i + lanes < count; i += lanes)
+    all = all && P::load(numbers + i) <= P::load(numbers + i + 1);
+  bool rest = all.all();
+  for (; i + 1 < count; ++i) rest = rest && numbers[i] <= numbers[i + 1];
+  return rest;
+}
+
 template <std::size_t n, std::size_t nodes>
-constexpr MinimisingKernels kernels_of{lanes, nodes, &expand<n, nodes>, &frames<n, nodes>};
+constexpr MinimisingKernels kernels_of{lanes, nodes, &expand<n, nodes>, &frames<n, nodes>, &ascend};
 
 }  // namespace
 
@@ -358,18 +364,18 @@ namespace HODOGRAPH_KERNEL_ISA {
 
 const MinimisingKernels* minimising_kernels(std::size_t degree, std::size_t nodes);
 const MinimisingKernels* minimising_kernels(std::size_t degree, std::size_t nodes) {
-  const bool few = nodes <= 12;
+  const bool few = nodes <= 8;
   switch (degree) {
     case 1:
-      return &kernels_of<1, 12>;
+      return &kernels_of<1, 8>;
     case 2:
-      return few ? &kernels_of<2, 12> : &kernels_of<2, 16>;
+      return few ? &kernels_of<2, 8> : &kernels_of<2, 16>;
     case 3:
-      return few ? &kernels_of<3, 12> : &kernels_of<3, 16>;
+      return few ? &kernels_of<3, 8> : &kernels_of<3, 16>;
     case 4:
-      return &kernels_of<4, 16>;
+      return few ? nullptr : &kernels_of<4, 16>;
     case 8:
-      return &kernels_of<8, 16>;
+      return few ? nullptr : &kernels_of<8, 16>;
     default:
       return nullptr;
   }
