@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "cli/ascents.hpp"
+#include "cli/refuse.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
 #endif
@@ -30,11 +31,6 @@ struct AscendFlags {
   std::string document, table, report = "ascent.html";
   bool as_json = false;
 };
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 void write(const std::string& file, const std::string& text, std::string& written) {
   if (const auto fault = write_file(file, text)) throw Error(*fault);

@@ -84,7 +84,7 @@ void check_continuity(Checks& checks, const ContinuityOrders& promised, const Pa
                                 std::to_string(promised.angular_velocity) + " at the least");
 }
 
-std::string range(const Enclosure& bound) {
+std::string range_text(const Enclosure& bound) {
   return std::string("[") + to_text(bound.lower()) + ", " + to_text(bound.upper()) + "]";
 }
 
@@ -103,7 +103,7 @@ void check_bound(Checks& checks, const char* name, const Enclosure& promised,
                        to_text(found.upper()) + " can be shown",
                    promised.upper(), found.upper());
   }
-  checks.hold(name, "in " + range(promised));
+  checks.hold(name, "in " + range_text(promised));
 }
 
 std::optional<Source> source_of(const CheckFlags& flags, const PathDocument& document) {

@@ -10,12 +10,13 @@
 #include "cli/exports.hpp"
 #include "cli/fitting.hpp"
 #include "cli/options.hpp"
+#include "cli/refuse.hpp"
 #include "cli/terminal.hpp"
 
 namespace hodograph::cli {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180.0;
+constexpr double in_radians = std::numbers::pi / 180.0;
 
 struct ClimbFlags {
   std::string waypoints, headings = heading_words[0];
@@ -28,11 +29,6 @@ struct ClimbFlags {
   ExportFlags exports;
   OutputFlags output;
 };
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 std::vector<ClimbWaypoint> waypoints_of(const ClimbFlags& flags) {
   if (flags.waypoints.empty() == flags.begin.empty() || flags.begin.empty() != flags.end.empty()) {
@@ -55,10 +51,10 @@ std::vector<ClimbWaypoint> waypoints_of(const ClimbFlags& flags) {
                                flags.geographic ? datum_of(flags.exports.datum) : std::nullopt);
   }
   if (flags.begin_heading_given && !waypoints.empty()) {
-    waypoints.front().heading = direction_of_angle(radians * flags.begin_degrees);
+    waypoints.front().heading = direction_of_angle(in_radians * flags.begin_degrees);
   }
   if (flags.end_heading_given && !waypoints.empty()) {
-    waypoints.back().heading = direction_of_angle(radians * flags.end_degrees);
+    waypoints.back().heading = direction_of_angle(in_radians * flags.end_degrees);
   }
   bool level = true;
   for (const ClimbWaypoint& w : waypoints) {
@@ -70,7 +66,7 @@ std::vector<ClimbWaypoint> waypoints_of(const ClimbFlags& flags) {
     if (flags.length_given) from.ground_length = flags.ground_length;
     if (flags.climb_given) {
       const double rise = waypoints[i + 1].position.z - from.position.z;
-      const double angle = radians * flags.climb_degrees;
+      const double angle = in_radians * flags.climb_degrees;
       // Down where the way goes down; level where it is level, but not all along: that is refused.
       from.climb_angle = rise == 0.0 && !level ? 0.0 : rise < 0.0 && angle > 0.0 ? -angle : angle;
     }
@@ -89,8 +85,8 @@ void run(ClimbFlags flags) {
   }
   ClimbRouteOptions options;
   const double most = flags.most_climb_given ? flags.most_climb_degrees : flags.climb_degrees;
-  options.limits = {radians * most,
-                    radians * (flags.most_descent_given ? flags.most_descent_degrees : most),
+  options.limits = {in_radians * most,
+                    in_radians * (flags.most_descent_given ? flags.most_descent_degrees : most),
                     flags.turn_radius};
   options.headings = flags.headings == heading_words[0] ? TangentRule::t1 : TangentRule::t2;
   const std::vector<ClimbWaypoint> waypoints = waypoints_of(flags);
@@ -168,7 +164,7 @@ std::unique_ptr<Command> climb_command(CLI::App& program) {
   command->note(
       "A file may give each waypoint's heading and the climb angle "
       "of the span that begins there:\n"
-      "columns heading (radians) or heading_deg, climb_angle or "
+      "columns heading (in_radians) or heading_deg, climb_angle or "
       "climb_deg; in JSON the members\n"
       "heading, climb_angle and ground_length. Where one quintic "
       "cannot keep the turn radius, arcs,\n"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cli/options.hpp"
+#include "cli/refuse.hpp"
 #include "cli/requests/batch.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
@@ -13,11 +14,6 @@ namespace hodograph::cli {
 namespace {
 
 constexpr double radians = std::numbers::pi / 180.0;
-
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, "waypoints",
-                    std::nullopt, std::nullopt});
-}
 
 /// Reads places as local coordinates, or as longitude, latitude and altitude.
 class Places {
@@ -38,7 +34,8 @@ Vector3<double> place_of(const Json& list, const std::string& where, const Place
   const bool three = list.is_array() && list.size() == 3 && list[0].is_number() &&
                      list[1].is_number() && list[2].is_number();
   if (!three) {
-    refuse(where + ": a waypoint is three numbers [x, y, z]; here is " + in_quotes(list.dump()));
+    refuse(where + ": a waypoint is three numbers [x, y, z]; here is " + in_quotes(list.dump()),
+           "waypoints");
   }
   return places(list[0].get<double>(), list[1].get<double>(), list[2].get<double>());
 }
@@ -68,9 +65,10 @@ std::vector<ClimbWaypoint> from_list(const Json& list, const std::string& pointe
                                      const std::string& name, const Places& places) {
   if (!list.is_array()) {
     refuse(name +
-           " has no list of waypoints; JSON should be a list of [x, y, "
-           "z], alone or as the "
-           "member \"waypoints\" of an object, or GeoJSON");
+               " has no list of waypoints; JSON should be a list of [x, y, "
+               "z], alone or as the "
+               "member \"waypoints\" of an object, or GeoJSON",
+           "waypoints");
   }
   std::vector<ClimbWaypoint> waypoints;
   for (const Json& item : list) {
@@ -98,7 +96,7 @@ class GeoJsonWaypoints {
 
   void read(const Json& value, const std::string& pointer, const Json* properties, int depth) {
     constexpr int deepest = 32;
-    if (depth > deepest) refuse(name_ + ": collections are nested too deeply");
+    if (depth > deepest) refuse(name_ + ": collections are nested too deeply", "waypoints");
     const std::string type =
         value.is_object() && value.contains("type") && value["type"].is_string()
             ? value["type"].get<std::string>()
@@ -120,7 +118,8 @@ class GeoJsonWaypoints {
       add(value, type, pointer, properties);
     } else {
       refuse(name_ + ", at " + (pointer.empty() ? "/" : pointer) +
-             ": waypoints are 'Point' and 'LineString'; here is " + in_quotes(type));
+                 ": waypoints are 'Point' and 'LineString'; here is " + in_quotes(type),
+             "waypoints");
     }
   }
   std::vector<ClimbWaypoint> waypoints;
@@ -129,7 +128,8 @@ class GeoJsonWaypoints {
   void add(const Json& geometry, const std::string& type, const std::string& pointer,
            const Json* properties) {
     const std::string place = pointer + "/coordinates";
-    if (!geometry.contains("coordinates")) refuse(name_ + ", at " + place + ": there are none");
+    if (!geometry.contains("coordinates"))
+      refuse(name_ + ", at " + place + ": there are none", "waypoints");
     const Json& coordinates = geometry["coordinates"];
     if (type == "LineString") {
       for (auto& waypoint : from_list(coordinates, place, name_, places_)) {
@@ -150,7 +150,8 @@ class GeoJsonWaypoints {
 };
 
 std::vector<ClimbWaypoint> from_table(const Table& table, const Places& places) {
-  if (table.column_count < 3) refuse("a table of waypoints needs three columns, x, y and z");
+  if (table.column_count < 3)
+    refuse("a table of waypoints needs three columns, x, y and z", "waypoints");
   const auto named = [&](const char* name) -> std::optional<std::size_t> {
     const auto found = table.column(name);
     return found && !table.names.empty() ? std::optional(*found) : std::nullopt;

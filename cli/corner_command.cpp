@@ -8,6 +8,7 @@
 #include "cli/made_path.hpp"
 #include "cli/options.hpp"
 #include "cli/points.hpp"
+#include "cli/refuse.hpp"
 #include "hodograph/construction/corner.hpp"
 
 namespace hodograph::cli {
@@ -23,20 +24,17 @@ struct CornerFlags {
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, "corner", std::nullopt,
-                    std::nullopt});
-}
-
 void round_one(const CornerFlags& flags) {
   if (flags.before.empty() || flags.after.empty()) {
-    refuse("a corner needs --before X,Y and --after X,Y, points on the lines that meet in it");
+    refuse("a corner needs --before X,Y and --after X,Y, points on the lines that meet in it",
+           "corner");
   }
   const auto given = [](const auto& value) { return static_cast<int>(value.has_value()); };
   if (given(flags.leg) + given(flags.most_curvature) + given(flags.most_deviation) > 1) {
     refuse(
         "give one of --leg, --curvature and --deviation (without any, the corner takes all the "
-        "room there is)");
+        "room there is)",
+        "corner");
   }
   const Corner corner{{flags.before[0], flags.before[1]},
                       {flags.at[0], flags.at[1]},
@@ -57,7 +55,8 @@ void round_one(const CornerFlags& flags) {
 }
 
 void round_all(const CornerFlags& flags) {
-  if (flags.leg) refuse("--leg is for one corner; a polyline takes --curvature or --deviation");
+  if (flags.leg)
+    refuse("--leg is for one corner; a polyline takes --curvature or --deviation", "corner");
   const auto points = flags.points.read();
   auto path = rounded_polyline(points, {.most_curvature = flags.most_curvature,
                                         .most_deviation = flags.most_deviation,
@@ -120,7 +119,8 @@ std::unique_ptr<Command> corner_command(CLI::App& program) {
     if (!points.given()) {
       refuse(
           "give the polyline (a file), or one corner with --before, --at and --after (see "
-          "hodograph corner --help)");
+          "hodograph corner --help)",
+          "corner");
     }
     round_all(*flags);
   });

@@ -7,6 +7,7 @@
 
 #include "cli/point_state.hpp"
 #include "cli/polynomial_flight.hpp"
+#include "cli/refuse.hpp"
 #include "cli/sample_plan.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
@@ -20,11 +21,6 @@ struct ExportFlags::Given {
 };
 
 namespace {
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 void write_text(const std::string& file, const std::string& text) {
   if (const auto fault = write_file(file, text)) throw Error(*fault);

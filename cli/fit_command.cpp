@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/options.hpp"
+#include "cli/refuse.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
@@ -21,11 +22,6 @@ struct FitCommandFlags {
   FitFlags fit;
   OutputFlags output;
 };
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 Source source_of(const FitCommandFlags& flags) {
   if (!flags.formula.empty()) {

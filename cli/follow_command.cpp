@@ -12,6 +12,7 @@
 #include "cli/follows.hpp"
 #include "cli/motions.hpp"
 #include "cli/options.hpp"
+#include "cli/refuse.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/geojson.hpp"
@@ -34,11 +35,6 @@ struct FollowFlags {
   bool step_given = false, hard = false;
   std::size_t horizon = HorizonOptions{}.intervals;
 };
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 void tell(const FollowFlags& flags, const std::string& text) {
   if (flags.output == "-" || flags.table == "-" || flags.report == "-") {

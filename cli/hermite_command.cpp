@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/made_path.hpp"
 #include "cli/options.hpp"
+#include "cli/refuse.hpp"
 #include "hodograph/construction/prescribed_length.hpp"
 
 namespace hodograph::cli {
@@ -22,12 +23,7 @@ struct HermiteFlags {
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
-
-Vector2<double> vector_of(const std::vector<double>& numbers) {
+Vector2<double> plane_vector(const std::vector<double>& numbers) {
   return {numbers.at(0), numbers.at(1)};
 }
 
@@ -42,7 +38,7 @@ Vector2<double> direction_of(const std::vector<double>& vector, bool by_degrees,
                "-direction X,Y or --" + end + "-deg ANGLE is missing",
            "direction");
   }
-  return vector_of(vector);
+  return plane_vector(vector);
 }
 
 const char* sentence_of(TieBreak tie) {
@@ -71,7 +67,7 @@ void run(HermiteFlags flags) {
   Rows more;
   std::string method;
   const auto curve = [&] {
-    const Vector2<double> begin = vector_of(flags.begin), end = vector_of(flags.end);
+    const Vector2<double> begin = plane_vector(flags.begin), end = plane_vector(flags.end);
     if (flags.by_length) {
       const auto begin_direction =
           direction_of(flags.begin_direction, flags.begin_by_degrees, flags.begin_degrees, "begin");
@@ -95,8 +91,8 @@ void run(HermiteFlags flags) {
           "a --length with directions",
           "derivative");
     }
-    const auto chosen = planar_hermite({begin, vector_of(flags.begin_derivative)},
-                                       {end, vector_of(flags.end_derivative)})
+    const auto chosen = planar_hermite({begin, plane_vector(flags.begin_derivative)},
+                                       {end, plane_vector(flags.end_derivative)})
                             .value();
     method = "C1 Hermite in the plane";
     more = rows_of(chosen);

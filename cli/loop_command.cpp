@@ -21,13 +21,13 @@ Vector3<double> vector_of(const std::vector<double>& numbers, std::size_t from =
   return {numbers.at(from), numbers.at(from + 1), numbers.at(from + 2)};
 }
 
-constexpr double radians = std::numbers::pi / 180.0;
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 /// The degrees nearest to a half and a quarter turn are these, not nearly so.
 double radians_of(double degrees) {
   return degrees == 180.0    ? std::numbers::pi
          : degrees == -180.0 ? -std::numbers::pi
-                             : degrees * radians;
+                             : degrees * radians_per_degree;
 }
 
 void run(LoopFlags flags) {
@@ -36,7 +36,7 @@ void run(LoopFlags flags) {
   if (!flags.start.empty()) request.start = vector_of(flags.start);
   if (!flags.direction.empty()) request.direction = vector_of(flags.direction);
   if (!flags.normal.empty()) request.normal = vector_of(flags.normal);
-  request.roll = flags.roll_degrees * radians;
+  request.roll = flags.roll_degrees * radians_per_degree;
   if (!flags.limit.empty()) request.limit = flags.limit;
   if (!flags.purpose.empty()) request.purpose = flags.purpose;
   if (!flags.near.empty()) {
@@ -76,9 +76,10 @@ std::unique_ptr<Command> loop_command(CLI::App& program) {
   Option xi = command->option("--xi", flags->xi, "XI",
                               "how far it leaves its plane and symmetry; 0 (default): the torsion "
                               "is continuous, too");
-  Option psi = command->option("--psi", flags->psi, "PSI",
-                               "half the roll of the frame round the loop, radians in [-pi, pi] "
-                               "(default pi: an oval; 0: a figure of eight)");
+  Option psi =
+      command->option("--psi", flags->psi, "PSI",
+                      "half the roll of the frame round the loop, radians_per_degree in [-pi, pi] "
+                      "(default pi: an oval; 0: a figure of eight)");
   Option psi_degrees =
       command->option("--psi-deg", flags->psi_degrees, "PSI", "the same in degrees");
   psi_degrees.excludes(psi);

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/loops.hpp"
+#include "cli/refuse.hpp"
 
 #include <cmath>
 #include <limits>
 
 namespace hodograph::cli {
 namespace {
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 /// An enclosure as people read it: its middle, or "unbounded".
 std::string text_of(const Enclosure& e) {

@@ -7,16 +7,12 @@
 #include <string_view>
 
 #include "cli/made_path.hpp"
+#include "cli/refuse.hpp"
 #include "cli/requests/members.hpp"
 #include "hodograph/path/curvature_limited_timing.hpp"
 
 namespace hodograph::cli {
 namespace {
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 /// |(x, y, z · scale)|.
 double distance(const Vector3<double>& a, const Vector3<double>& b, double vertical_scale) {

@@ -10,7 +10,7 @@ namespace hodograph::cli {
 namespace {
 
 /// The limits of offsets are refined to about this relative width, 2^-40: what people read off.
-constexpr double shown_width = 0x1p-40;
+constexpr double shown_limit_width = 0x1p-40;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ PathOffset offset_of(const AnyPath& path, double distance) {
 }
 
 CuspFreeOffsets cusp_free_offsets_of(const AnyPath& path) {
-  return cusp_free_offsets(path, RangeGoal{shown_width});
+  return cusp_free_offsets(path, RangeGoal{shown_limit_width});
 }
 
 std::vector<Vector2<double>> offset_points(const AnyPath& path, double distance,

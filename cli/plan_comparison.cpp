@@ -13,8 +13,8 @@
 namespace hodograph::cli {
 namespace {
 
-constexpr std::size_t drawn_points = 1500;
-constexpr PlotColor colors[] = {PlotColor::vermilion, PlotColor::green};
+constexpr std::size_t points_of_plan = 1500;
+constexpr PlotColor colors_of_plans[] = {PlotColor::vermilion, PlotColor::green};
 
 /// "T1" first.
 constexpr TangentRule rules[] = {TangentRule::t1, TangentRule::t2};
@@ -22,8 +22,8 @@ constexpr const char* rule_names[] = {"T1", "T2"};
 
 Series sampled(const PlanarPath<2>& path) {
   Series series;
-  for (std::size_t i = 0; i <= drawn_points; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(drawn_points);
+  for (std::size_t i = 0; i <= points_of_plan; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(points_of_plan);
     const Vector2<double> p =
         path.position(path.clamped(path.xi_begin() * (1.0 - share) + path.xi_end() * share));
     series.x.push_back(p.x);
@@ -35,7 +35,7 @@ Series sampled(const PlanarPath<2>& path) {
 /// |κ| by arc length: at both sides of every knot.
 Series curvature_series(const PlanarPath<2>& path) {
   Series series;
-  const std::size_t each = std::max<std::size_t>(16, drawn_points / path.segment_count());
+  const std::size_t each = std::max<std::size_t>(16, points_of_plan / path.segment_count());
   for (std::size_t k = 0; k < path.segment_count(); ++k) {
     const auto& curve = path.segment(k);
     for (std::size_t i = 0; i <= each; ++i) {
@@ -211,11 +211,11 @@ void draw(ReportData& report, const std::vector<ComparedPlan>& compared, const P
     Series line = sampled(path);
     line.label = "rule " + compared[i].name;
     line.style = SeriesStyle::dashed_line;
-    line.color = colors[i];
+    line.color = colors_of_plans[i];
     report.surroundings.push_back(std::move(line));
     Series curve = curvature_series(path);
     curve.label = "rule " + compared[i].name;
-    curve.color = colors[i];
+    curve.color = colors_of_plans[i];
     curvatures.series.push_back(std::move(curve));
   }
   report.further.push_back(std::move(curvatures));

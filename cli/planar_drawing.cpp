@@ -17,22 +17,22 @@ namespace hodograph::cli {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t drawn_points = 4000;
+constexpr std::size_t points_of_drawing = 4000;
 constexpr std::size_t fewest_a_segment = 2, most_a_segment = 600;
 constexpr std::size_t most_marked_knots = 400;  // more are a solid line of dots
 constexpr double picture_width = 640.0, picture_height = 480.0;
 constexpr double profile_height = 320.0;
 
 /// The path at one place, from one side of it.
-struct Sample {
+struct DrawnSample {
   double xi = 0.0, arc_length = 0.0;
   Vector2<double> position{}, normal{};
   double curvature = none;  ///< not a number where the path stands still; the normal as well
 };
 
 template <class P, class Curve>
-Sample sample_of(const P& path, const Curve& curve, std::size_t segment, double u) {
-  Sample sample;
+DrawnSample sample_of(const P& path, const Curve& curve, std::size_t segment, double u) {
+  DrawnSample sample;
   sample.xi = path.xi_of({segment, u});
   sample.arc_length = path.arc_length({segment, u});
   sample.position = curve.position(u);
@@ -56,12 +56,12 @@ struct Role {
 /// Calls visit(sample, role) along the path: every segment from its begin to its end, and at `more`
 /// parameters, which ascend. (A std::function, so that it is compiled once for every kind of path.)
 void for_each_sample(const AnyPath& path, const std::vector<double>& more,
-                     const std::function<void(const Sample&, Role)>& visit) {
+                     const std::function<void(const DrawnSample&, Role)>& visit) {
   path.visit([&](const auto& p) {
     using P = std::remove_cvref_t<decltype(p)>;
     if constexpr (P::Point::dimension == 2) {
       const std::size_t intervals =
-          std::clamp(drawn_points / p.segment_count(), fewest_a_segment, most_a_segment);
+          std::clamp(points_of_drawing / p.segment_count(), fewest_a_segment, most_a_segment);
       auto next = more.begin();
       std::vector<std::pair<double, bool>> places;
       for (std::size_t k = 0; k < p.segment_count(); ++k) {
@@ -106,7 +106,7 @@ Plot empty_picture(const PathDocument& document, const std::string& title) {
 void add_path(Plot& plot, const AnyPath& path) {
   Series line{"path", {}, {}, SeriesStyle::line, PlotColor::blue};
   Series knots{"knots", {}, {}, SeriesStyle::dots, PlotColor::blue};
-  for_each_sample(path, {}, [&](const Sample& at, Role role) {
+  for_each_sample(path, {}, [&](const DrawnSample& at, Role role) {
     add(line, at.position);
     if (role.first) add(knots, at.position);
   });
@@ -124,7 +124,7 @@ void add_offset(Plot& plot, const AnyPath& path, const PathOffset& offset, Serie
   for (const OffsetCusp& cusp : offset.cusps) places.push_back(cusp.xi);
   std::sort(places.begin(), places.end());
   Vector2<double> before{};
-  for_each_sample(path, places, [&](const Sample& at, Role role) {
+  for_each_sample(path, places, [&](const DrawnSample& at, Role role) {
     const Vector2<double> point = at.position + offset.distance * at.normal;
     const bool jumps =
         role.first && !line.x.empty() &&
@@ -197,7 +197,7 @@ Plot curvature_comb(const PathDocument& document, const std::optional<double>& s
   Plot plot = empty_picture(document, "Curvature comb");
   add_path(plot, path);
   double largest = 0.0;
-  for_each_sample(path, {}, [&](const Sample& at, Role) {
+  for_each_sample(path, {}, [&](const DrawnSample& at, Role) {
     if (std::isfinite(at.curvature)) largest = std::max(largest, std::abs(at.curvature));
   });
   const double factor = scale           ? *scale
@@ -213,7 +213,7 @@ Plot curvature_comb(const PathDocument& document, const std::optional<double>& s
                {},
                SeriesStyle::line,
                PlotColor::purple};
-  for_each_sample(path, places, [&](const Sample& at, Role role) {
+  for_each_sample(path, places, [&](const DrawnSample& at, Role role) {
     const Vector2<double> tip = at.position - (factor * at.curvature) * at.normal;
     add(crest, tip);
     if (!role.asked) return;
@@ -246,7 +246,7 @@ Plot curvature_profile(const PathDocument& document) {
   }
   std::pair<double, double> lowest{0.0, std::numeric_limits<double>::infinity()};
   std::pair<double, double> highest{0.0, -std::numeric_limits<double>::infinity()};
-  for_each_sample(path, places, [&](const Sample& at, Role) {
+  for_each_sample(path, places, [&](const DrawnSample& at, Role) {
     add(line, {at.arc_length, at.curvature});
     if (at.curvature < lowest.second) lowest = {at.arc_length, at.curvature};
     if (at.curvature > highest.second) highest = {at.arc_length, at.curvature};

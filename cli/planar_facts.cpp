@@ -27,7 +27,7 @@ std::string_view name_of(CurvatureExtremeKind kind) {
   return "";
 }
 
-Json json_of(const CurvaturePlace& place, bool with_curvature) {
+Json json_of_place(const CurvaturePlace& place, bool with_curvature) {
   Json json = {{"xi", place.xi}, {"xi_range", cli::json_of(place.xi_range)}};
   if (with_curvature) json["curvature"] = cli::json_of(place.curvature);
   json["kind"] = std::string(place.kind);
@@ -93,10 +93,11 @@ Json json_of(const PlanarFacts& facts) {
       {"cusp_free_offsets",
        {{"left", json_of(facts.offset_limit_left)}, {"right", json_of(facts.offset_limit_right)}}}};
   json["inflections"] = Json::array();
-  for (const auto& place : facts.inflections) json["inflections"].push_back(json_of(place, false));
+  for (const auto& place : facts.inflections)
+    json["inflections"].push_back(json_of_place(place, false));
   json["curvature_extremes"] = Json::array();
   for (const auto& place : facts.curvature_extremes) {
-    json["curvature_extremes"].push_back(json_of(place, true));
+    json["curvature_extremes"].push_back(json_of_place(place, true));
   }
   json["self_intersections"] = Json::array();
   for (const auto& at : facts.self_intersections) {

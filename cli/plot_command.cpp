@@ -9,6 +9,7 @@
 #include "cli/fitting.hpp"
 #include "cli/options.hpp"
 #include "cli/planar_drawing.hpp"
+#include "cli/refuse.hpp"
 #include "hodograph/io/document.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/svg.hpp"
@@ -24,7 +25,7 @@ struct PlotFlags {
   std::vector<double> offsets;
 };
 
-constexpr std::size_t drawn_points = 2000;
+constexpr std::size_t points_of_plot = 2000;
 
 /// The pictures that there are of planar paths alone.
 Plot planar_picture(const PlotFlags& flags, const PathDocument& document) {
@@ -59,7 +60,7 @@ std::string picture(const PlotFlags& flags, const PathDocument& document) {
     constexpr std::size_t columns = 2;
     return to_svg(plots, columns);
   }
-  const FramedPolyline curve = framed_polyline(document, drawn_points, flags.frames);
+  const FramedPolyline curve = framed_polyline(document, points_of_plot, flags.frames);
   const std::string& unit = document.length_unit;
   if (document.path.dimension() == 2) return to_svg(plane_picture(curve, unit));
   if (flags.view == "xy") return to_svg(projected(curve, Projection::xy, unit));
@@ -71,21 +72,19 @@ std::string picture(const PlotFlags& flags, const PathDocument& document) {
   return to_svg(plots, plots.size());
 }
 
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(
-      Fault{FaultCode::unsupported, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
-}
-
 void run(const PlotFlags& flags) {
   if (!flags.offsets.empty() && flags.view != "path" && flags.view != "comb") {
-    refuse("offsets are drawn in the views path and comb; the view is " + flags.view, "offset");
+    refuse("offsets are drawn in the views path and comb; the view is " + flags.view, "offset",
+           FaultCode::unsupported);
   }
   if (flags.comb_scale && flags.view != "comb") {
-    refuse("--comb-scale is for the view comb; the view is " + flags.view, "comb_scale");
+    refuse("--comb-scale is for the view comb; the view is " + flags.view, "comb_scale",
+           FaultCode::unsupported);
   }
   const PathDocument document = load_document(flags.document).value();
   if (document.path.dimension() == 2 && (flags.view == "xz" || flags.view == "yz")) {
-    refuse("the path is in the plane; the view " + flags.view + " is of paths in space", "view");
+    refuse("the path is in the plane; the view " + flags.view + " is of paths in space", "view",
+           FaultCode::unsupported);
   }
   OutputFile file = OutputFile::create(flags.output).value();
   file.write(picture(flags, document));

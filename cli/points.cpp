@@ -2,6 +2,7 @@
 #include "cli/points.hpp"
 
 #include "cli/options.hpp"
+#include "cli/refuse.hpp"
 #include "cli/requests/members.hpp"
 #include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
@@ -9,28 +10,25 @@
 namespace hodograph::cli {
 namespace {
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, "points", std::nullopt,
-                    std::nullopt});
-}
-
 std::vector<Vector2<double>> from_json(const std::string& text, const std::string& name) {
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) {
-    refuse(name + " begins like JSON but cannot be read as a list of points [x, y]");
+    refuse(name + " begins like JSON but cannot be read as a list of points [x, y]", "points");
   }
   const bool named = json.is_object() && json.contains("points");
   const Json& list = named ? json["points"] : json;
   if (!list.is_array()) {
     refuse(name +
-           " has no list of points; JSON should be a list of [x, y], alone or as the member "
-           "\"points\" of an object");
+               " has no list of points; JSON should be a list of [x, y], alone or as the member "
+               "\"points\" of an object",
+           "points");
   }
   std::vector<Vector2<double>> points;
   for (const Json& p : list) {
     if (!p.is_array() || p.size() != 2 || !p[0].is_number() || !p[1].is_number()) {
       refuse(name + ", at " + (named ? "/points/" : "/") + std::to_string(points.size()) +
-             ": a point is two numbers [x, y]; here is " + in_quotes(p.dump()));
+                 ": a point is two numbers [x, y]; here is " + in_quotes(p.dump()),
+             "points");
     }
     points.push_back({p[0].get<double>(), p[1].get<double>()});
   }
@@ -48,7 +46,7 @@ std::vector<Vector2<double>> from_table(const Table& table,
     x = *named_x;
     y = *named_y;
   } else if (table.column_count < 2) {
-    refuse("a table of points needs two columns; this one has one");
+    refuse("a table of points needs two columns; this one has one", "points");
   }
   std::vector<Vector2<double>> points;
   points.reserve(table.row_count());

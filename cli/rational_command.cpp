@@ -11,6 +11,7 @@
 #include "cli/options.hpp"
 #include "cli/rational_input.hpp"
 #include "cli/rationals.hpp"
+#include "cli/refuse.hpp"
 #include "cli/terminal.hpp"
 #include "hodograph/io/file.hpp"
 #endif
@@ -27,11 +28,6 @@ struct RationalFlags {
   std::string output = "-", picture, nurbs, dxf, path;
   bool json = false, latex = false, examples = false;
 };
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
-}
 
 RationalProblem problem_of(const RationalFlags& flags) {
   RationalProblem problem;

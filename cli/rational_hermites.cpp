@@ -8,16 +8,12 @@
 #include <tuple>
 #include <utility>
 
+#include "cli/refuse.hpp"
 #include "cli/requests/members.hpp"
 #include "hodograph/rational/motion_polynomial.hpp"
 
 namespace hodograph::cli {
 namespace {
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity,
-                         FaultCode code = FaultCode::malformed_document) {
-  throw Error(Fault{code, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
-}
 
 /// What a text may define: the name and where it goes.
 struct Slot {

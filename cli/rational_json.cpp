@@ -33,7 +33,8 @@ namespace {
 
 template <class Function>
 Json json_of_fraction(const Function& f) {
-  return {{"numerator", json_of(f.numerator())}, {"denominator", json_of(f.denominator())}};
+  return {{"numerator", cli::json_of(f.numerator())},
+          {"denominator", cli::json_of(f.denominator())}};
 }
 Json json_of(const std::vector<RationalPolynomial>& list) {
   Json json = Json::array();

@@ -16,7 +16,7 @@ namespace {
 enum class Layout { line, broken };
 
 /// About as wide as the page, in characters that are seen.
-constexpr std::size_t page_width = 120;
+constexpr std::size_t latex_width = 120;
 
 /// The characters of a formula that are seen, about: commands and braces are not.
 std::size_t width(std::string_view formula) {
@@ -102,7 +102,7 @@ std::string latex(const VectorPolynomial& v, Layout layout = Layout::line) {
 std::string latex(const RationalVector& v) { return column(latex(v.x), latex(v.y), latex(v.z)); }
 
 /// The factors of a polynomial over ℚ, where they are short.
-std::string factored(const RationalPolynomial& p) {
+std::string latex_factored(const RationalPolynomial& p) {
   if (p.is_constant()) return latex(p);
   std::string product = p.leading() == Rational(1) ? "" : latex(p.leading());
   for (const PolynomialFactor& f : irreducible_factors(p)) {
@@ -115,12 +115,12 @@ std::string factored(const RationalPolynomial& p) {
 }
 std::string latex(const RationalFunction& f, Layout layout = Layout::line) {
   if (f.is_polynomial()) return latex(f.numerator());
-  const std::string above = latex(f.numerator()), below = factored(f.denominator());
+  const std::string above = latex(f.numerator()), below = latex_factored(f.denominator());
   return layout == Layout::line ? "\\frac{" + above + "}{" + below + "}"
                                 : "\\frac{1}{" + below + "} (" + above + ")";
 }
 std::string latex(const VectorFunction& r, Layout layout = Layout::line) {
-  return (r.is_polynomial() ? "" : "\\frac{1}{" + factored(r.denominator()) + "}") +
+  return (r.is_polynomial() ? "" : "\\frac{1}{" + latex_factored(r.denominator()) + "}") +
          latex(r.numerator(), layout);
 }
 
@@ -129,7 +129,7 @@ template <class Formula>
   requires std::is_invocable_v<Formula, Layout>
 std::string displayed(const Formula& formula, const std::string& end = "") {
   const std::string line = formula(Layout::line) + end;
-  if (width(line) <= page_width) return "\\[ " + line + " \\]\n";
+  if (width(line) <= latex_width) return "\\[ " + line + " \\]\n";
   return "\\begin{flushleft}$\\displaystyle " + formula(Layout::broken) + end +
          "$\\end{flushleft}\n";
 }
@@ -233,7 +233,7 @@ std::string latex_of(const DescribedCurve& described) {
 std::string latex_of(const RationalAnswer& answer) {
   const SolutionSpace& space = answer.space;
   std::string text = shown("A", *answer.problem.a) +
-                     shown("\\alpha", [&](Layout) { return factored(space.alpha()); });
+                     shown("\\alpha", [&](Layout) { return latex_factored(space.alpha()); });
   const Reduction& reduction = space.preimage_reduction();
   if (!reduction.was_reduced()) {
     text += "Reduced with respect to $\\mathbf{i}$, $A$ becomes\n" +

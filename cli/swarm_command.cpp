@@ -11,6 +11,7 @@
 #include "cli/made_path.hpp"
 #include "cli/options.hpp"
 #include "cli/polynomial_flight.hpp"
+#include "cli/refuse.hpp"
 #include "cli/requests/batch.hpp"
 #include "cli/swarm_exports.hpp"
 #include "cli/swarm_pictures.hpp"
@@ -33,16 +34,11 @@ struct SwarmFlags {
   std::vector<std::pair<std::string, Json>> replaced, moves;
 };
 
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity,
-                         FaultCode code = FaultCode::malformed_document) {
-  throw Error(Fault{code, sentence, std::nullopt, quantity, std::nullopt, std::nullopt});
-}
-
 void write(const std::string& file, const std::string& text) {
   if (const auto fault = write_file(file, text)) throw Error(*fault);
 }
 
-void make_folder(const std::string& folder) {
+void make_output_folder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -106,7 +102,7 @@ void write_documents(const SwarmFlags& flags, const SwarmFacts& facts, std::stri
              "id");
     }
   }
-  make_folder(flags.folder);
+  make_output_folder(flags.folder);
   for (std::size_t i = 0; i < facts.vehicles.size(); ++i) {
     write(file_in(flags.folder, facts.vehicles[i].id + ".json"), to_json(facts.documents[i]));
   }
@@ -140,7 +136,7 @@ Json write_polynomials(const SwarmFlags& flags, const SwarmFacts& facts, std::st
     pieces += flight->pieces.size();
     files.push_back(crazyswarm_csv(*flight));
   }
-  make_folder(flags.crazyswarm);
+  make_output_folder(flags.crazyswarm);
   for (std::size_t i = 0; i < files.size(); ++i) {
     write(file_in(flags.crazyswarm, facts.vehicles[i].id + ".csv"), files[i]);
   }

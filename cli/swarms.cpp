@@ -8,6 +8,7 @@
 
 #include "cli/made_path.hpp"
 #include "cli/plans.hpp"
+#include "cli/refuse.hpp"
 #include "cli/requests/members.hpp"
 #include "hodograph/io/table.hpp"
 
@@ -111,11 +112,6 @@ ArrivalMoves arrival_moves(Members moves, bool& longest_delay_given) {
   moves.require_at_most("later_arrivals", result.later_arrivals, most_places);
   moves.require_all_known();
   return result;
-}
-
-[[noreturn]] void refuse(const std::string& sentence, const char* quantity) {
-  throw Error(Fault{FaultCode::malformed_document, sentence, std::nullopt, quantity, std::nullopt,
-                    std::nullopt});
 }
 
 /// The arrival time of a choice that names one.

@@ -27,6 +27,14 @@ option(HODOGRAPH_WIDE_KERNELS "Compile batch kernels for AVX2 and AVX-512 as wel
 option(HODOGRAPH_INSTALL "Write install rules" ${PROJECT_IS_TOP_LEVEL})
 option(HODOGRAPH_WARNINGS_AS_ERRORS "Treat the warnings of our own sources as errors" OFF)
 
+if(CMAKE_CXX_COMPILER_LAUNCHER)  # a compiler cache remembers file by file
+  set(hodograph_default_join OFF)
+else()
+  set(hodograph_default_join ON)
+endif()
+option(HODOGRAPH_JOIN_SOURCES "Compile several sources of the program as one: half the time"
+       ${hodograph_default_join})
+
 # hodograph_find(<NAME> <package> [arguments of find_package])
 # Sets hodograph_has_<name> where the component is wanted and its library is there.
 function(hodograph_find NAME package)

@@ -6,7 +6,7 @@
 namespace hodograph::cli {
 namespace {
 
-Json json_of(const SpatialPhCurve<2>& curve) {
+Json json_of_segment(const SpatialPhCurve<2>& curve) {
   Json json = {{"arc_length", curve.arc_length()}};
   json["preimage"] = Json::array();
   for (const auto& a : curve.preimage().coefficients()) json["preimage"].push_back(list_of(a));
@@ -31,7 +31,7 @@ HeadedPoint headed_end(Members end) {
   return {waypoint.position, *waypoint.heading};
 }
 
-DirectedPoint3 directed_end(Members end) {
+DirectedPoint3 climbing_end(Members end) {
   const DirectedPoint3 point{end.point("position"), end.point("direction")};
   end.require_all_known();
   return point;
@@ -48,7 +48,7 @@ Answer answer_climb(Members& request) {
   const bool all = request.truth("all", false);
   const auto answered = [&](const ClimbCurve& chosen, const std::vector<ClimbSolution>& solutions) {
     Answer answer;
-    answer.result = json_of(chosen.curve);
+    answer.result = json_of_segment(chosen.curve);
     answer.result["climb_angle"] = chosen.climb_angle;
     answer.result["ground_length"] = chosen.ground_length;
     answer.result["rotation_index"] = chosen.rotation_index;
@@ -57,7 +57,7 @@ Answer answer_climb(Members& request) {
     if (all) {
       answer.result["solutions"] = Json::array();
       for (const ClimbSolution& one : solutions) {
-        Json json = json_of(one.curve);
+        Json json = json_of_segment(one.curve);
         json["rotation_index"] = one.rotation_index;
         answer.result["solutions"].push_back(std::move(json));
       }
@@ -70,8 +70,8 @@ Answer answer_climb(Members& request) {
   };
   if (request.has("axis")) {
     const Vector3<double> axis = request.point("axis");
-    const DirectedPoint3 begin = directed_end(request.object("begin"));
-    const DirectedPoint3 end = directed_end(request.object("end"));
+    const DirectedPoint3 begin = climbing_end(request.object("begin"));
+    const DirectedPoint3 end = climbing_end(request.object("end"));
     request.require_all_known();
     const ClimbCurve chosen = helical_curve(axis, begin, end, step, among).value();
     return answered(chosen, all ? helical_solutions(axis, begin, end, step, among).value()

@@ -20,7 +20,7 @@ const char* name_of(StationaryKind kind) {
 }
 
 template <class Point>
-Json json_of(const StationaryPoint<Point>& stationary) {
+Json json_of_stationary(const StationaryPoint<Point>& stationary) {
   return {{"xi", stationary.xi},
           {"xi_range", cli::json_of(stationary.xi_range)},
           {"point", list_of(stationary.point)},
@@ -40,11 +40,12 @@ Answer answer_nearest(Members& request) {
     typename std::remove_cvref_t<decltype(path)>::Point point{};
     for (std::size_t i = 0; i < numbers.size(); ++i) point[i] = numbers[i];
     const auto nearest = nearest_point(path, point).value();
-    answer.result["nearest"] = json_of(nearest.at);
+    answer.result["nearest"] = json_of_stationary(nearest.at);
     answer.result["distance"] = cli::json_of(nearest.distance);
     if (!all) return;
     Json& list = answer.result["stationary"] = Json::array();
-    for (const auto& one : stationary_points(path, point).value()) list.push_back(json_of(one));
+    for (const auto& one : stationary_points(path, point).value())
+      list.push_back(json_of_stationary(one));
   });
   return answer;
 }

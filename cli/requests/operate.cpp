@@ -103,16 +103,16 @@ PathDocument elevate(PathDocument document, Members& request) {
   return document;
 }
 
-struct Operation {
+struct NamedOperation {
   const char* name;
   PathDocument (*apply)(PathDocument, Members&);
 };
 constexpr std::array operations = {
-    Operation{"reverse", reverse}, Operation{"subpath", cut},
-    Operation{"join", join},       Operation{"move", move},
-    Operation{"scale", scale},     Operation{"reflect", reflect},
-    Operation{"lift", lift},       Operation{"reparametrise", reparametrise},
-    Operation{"close", close},     Operation{"elevate", elevate},
+    NamedOperation{"reverse", reverse}, NamedOperation{"subpath", cut},
+    NamedOperation{"join", join},       NamedOperation{"move", move},
+    NamedOperation{"scale", scale},     NamedOperation{"reflect", reflect},
+    NamedOperation{"lift", lift},       NamedOperation{"reparametrise", reparametrise},
+    NamedOperation{"close", close},     NamedOperation{"elevate", elevate},
 };
 
 }  // namespace
@@ -120,9 +120,9 @@ constexpr std::array operations = {
 Answer answer_operate(Members& request) {
   PathDocument document = request.document();
   std::vector<std::string> names;
-  for (const Operation& operation : operations) names.emplace_back(operation.name);
+  for (const NamedOperation& operation : operations) names.emplace_back(operation.name);
   const std::string name = request.word("operation", names);
-  for (const Operation& operation : operations) {
+  for (const NamedOperation& operation : operations) {
     if (name == operation.name) document = operation.apply(std::move(document), request);
   }
   request.require_all_known();

@@ -54,7 +54,7 @@ const char* name_of(PeakMinimum kind) {
 }
 
 /// The preimage, control points and length of a planar curve.
-Json json_of(const PlanarPhCurve<2>& curve) {
+Json json_of_curve(const PlanarPhCurve<2>& curve) {
   Json json = {{"arc_length", curve.arc_length()}};
   json["preimage"] = Json::array();
   for (const auto& w : curve.preimage().coefficients()) json["preimage"].push_back(list_of(w));
@@ -70,7 +70,7 @@ template <class Solutions>
 Json json_of_solutions(const Solutions& solutions) {
   Json list = Json::array();
   for (const PlanarSolution& one : solutions) {
-    Json json = json_of(one.curve);
+    Json json = json_of_curve(one.curve);
     json["rotation_index"] = one.rotation_index;
     list.push_back(std::move(json));
   }
@@ -125,7 +125,7 @@ Answer answer_planar_hermite(Members& request) {
   request.require_all_known();
   const PlanarHermite chosen = planar_hermite(begin, end, step).value();
   Answer answer;
-  answer.result = json_of(chosen.curve);
+  answer.result = json_of_curve(chosen.curve);
   answer.result["rotation_index"] = chosen.rotation_index;
   answer.result["margin"] = chosen.margin;
   answer.result["tie"] = name_of(chosen.tie);
@@ -149,7 +149,7 @@ Answer answer_prescribed_length(Members& request) {
   request.require_all_known();
   const PrescribedLength chosen = prescribed_length_curve(begin, end, length, step, among).value();
   Answer answer;
-  answer.result = json_of(chosen.curve);
+  answer.result = json_of_curve(chosen.curve);
   answer.result["rotation_index"] = chosen.rotation_index;
   answer.result["margin"] = chosen.margin;
   answer.result["tie"] = name_of(chosen.tie);
@@ -185,7 +185,7 @@ Answer answer_corner(Members& request) {
                                              : corner_of_room(corner, step))
                                     .value();
   Answer answer;
-  answer.result = json_of(rounded.curve);
+  answer.result = json_of_curve(rounded.curve);
   answer.result["leg"] = rounded.leg;
   answer.result["turning_angle"] = rounded.shape.turning_angle;
   answer.result["peak_curvature"] = rounded.shape.peak_curvature;
@@ -246,7 +246,7 @@ Answer answer_least_peak_curvature(Members& request) {
                           : least_peak_curvature_of_equal_speeds(begin, end, most_length, range))
           .value();
   Answer answer;
-  answer.result = json_of(found.curve);
+  answer.result = json_of_curve(found.curve);
   answer.result["peak_curvature"] = cli::json_of(found.peak_curvature);
   answer.result["begin_speed"] = found.begin_speed;
   answer.result["end_speed"] = found.end_speed;
