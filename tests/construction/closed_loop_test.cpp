@@ -12,6 +12,7 @@
 #include "hodograph/construction/detail/closed_loop_kernel.hpp"
 #include "hodograph/frame/frenet.hpp"
 #include "hodograph/frame/holonomy.hpp"
+#include "hodograph/path/any_operations.hpp"
 #include "hodograph/path/bounds.hpp"
 #include "hodograph/path/continuity.hpp"
 #include "tests/support/compare.hpp"
@@ -194,6 +195,23 @@ TEST(ClosedLoop, ClosesWithTwoDerivativesAndWithTorsionWhereXiVanishes) {
     EXPECT_CLOSE(first->torsion, last->torsion, 64.0 * point_roundings, unit);
     EXPECT_CLOSE(first->torsion * placement.length, juncture->torsion_begin, 64.0 * point_roundings,
                  unit * placement.length);
+  }
+}
+
+TEST(ClosedLoop, StaysTwiceContinuousInEveryDegree) {
+  // The end is integrated from the preimage: its rounding counts by the size of that, which the
+  // loop itself, turning back, does not have.
+  Random random("ClosedLoop degrees");
+  for (std::size_t i = 0; i < cases<std::size_t>(120); ++i) {
+    const AnyPath loop(
+        closed_loop({random.uniform(-3.0, 3.0), random.uniform(-3.0, 3.0)},
+                    {random.uniform(0.1, 10.0), {random.uniform(-1.0, 1.0), 0.0, 0.0}})
+            .value());
+    for (std::size_t degree = 3; degree <= 12; ++degree) {
+      const AnyPath same = with_preimage_degree(loop, degree).value();
+      EXPECT_GE(same.visit([](const auto& p) { return continuity(p).position.order(); }), 2)
+          << "degree " << degree;
+    }
   }
 }
 

@@ -4,8 +4,9 @@
 //
 // A jump is stated as |f^(r)(ξ+) - f^(r)(ξ-)| h^r / M, where h is the shorter of the two steps that
 // meet, M the largest local coefficient of f and |.| the largest component. It counts as zero up to
-// accuracy::continuity_error(degree, r). Both are numbers without unit: scaling the path or its
-// parameter changes neither.
+// accuracy::continuity_error(degree, r), the step of the position itself up to what rounding makes
+// of the end of a segment (path_detail::end_error). Both are numbers without unit: scaling the path
+// or its parameter changes neither.
 #pragma once
 
 #include <array>
@@ -92,6 +93,17 @@ Meeting<A, n> meeting_at(const Path<A, n>& path, std::size_t k) {
                                                            : after.parameter_step()};
 }
 
+/// The end of a curve of preimage degree n is its start and the integral of its hodograph. It is
+/// within end_error<S>(n) M of where exact numbers would have it, M = h max|A_i|², where every A_i
+/// carries 4 roundings and those of a degree elevation (at most (n/2 + 3) ε/2 of the largest):
+/// twice that relatively, (n/2 + 11) ε; and the integral h/(2n+1) times a sum of 2n + 1 means of
+/// products adds (3n + 14) ε/2, as in accuracy::arc_length_error. That may be much more than a few
+/// ε of the coordinates: A turns, and what its square gives cancels.
+template <class S>
+S end_error(std::size_t n) {
+  return S(static_cast<double>(2 * n + 18)) * S(epsilon<S>());
+}
+
 /// Calls visit(k) for every knot where two segments meet.
 template <class P, class Visit>
 void for_each_meeting(const P& path, const Visit& visit) {
@@ -164,6 +176,16 @@ KnotJumps<typename A::Scalar> jumps_at_knot(const Path<A, n>& path, std::size_t 
       path_detail::position_jet(after->start(), begin, step), size, PhCurve<A, n>::degree);
   const S gap = largest_component(after->start() - before->end());
   result.position.jump[0] = S(0) < coordinate ? S(gap / coordinate) : gap;
+  // h |A|² with the range of the path's own numbers.
+  const S turning = path_detail::largest_coefficient(before->preimage());
+  const S integrated = (before->parameter_step() * turning) * turning;
+  if (S(0) < coordinate) {
+    const S more = path_detail::end_error<S>(n) * (integrated / coordinate);
+    // What a path may be made of (Path::create) is the most.
+    const S most = S(accuracy::join_error<S>());
+    const S allowed = result.position.allowed[0] + more;
+    result.position.allowed[0] = allowed < most ? allowed : most;
+  }
 
   if (k == 0 && dot(end[0], begin[0]) < S(0)) {
     result.antiperiodic = true;
