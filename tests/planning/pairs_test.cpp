@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hodograph/construction/prescribed_length.hpp"
+#include "hodograph/foundation/interruption.hpp"
 #include "tests/support/paths.hpp"
 
 namespace hodograph {
@@ -147,6 +148,28 @@ TEST(Pairs, RefuseBadSwarms) {
   swarm.erase(swarm.begin() + 1, swarm.end());
   EXPECT_TRUE(close_pairs(swarm, {}).value().empty());
   EXPECT_EQ(separation_matrix(swarm, {}).value().size(), 1u);
+}
+
+TEST(Pairs, CanBeStoppedAtAnyQuestionWithAnyNumberOfThreads) {
+  Random random("Pairs.CanBeStoppedAtAnyQuestionWithAnyNumberOfThreads");
+  const std::vector<Vehicle> swarm = random_swarm(random, 12, Times::equal, true);
+  SwarmGoal goal;
+  goal.clearance = 0.1;
+  const std::size_t close = close_pairs(swarm, goal).value().size();
+  for (const unsigned threads : {1U, 4U}) {
+    goal.threads = threads;
+    bool stopped = true;
+    for (std::size_t questions = 0; stopped; questions = 2 * questions + 1) {
+      std::size_t asked = 0;
+      const InterruptionScope scope([&] { return asked++ >= questions; });
+      try {
+        EXPECT_EQ(close_pairs(swarm, goal).value().size(), close);
+        stopped = false;
+      } catch (const Error& error) {
+        EXPECT_EQ(error.fault().code, FaultCode::cancelled);
+      }
+    }
+  }
 }
 
 }  // namespace
