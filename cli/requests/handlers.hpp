@@ -37,6 +37,7 @@ Answer answer_offset(Members& request);
 Answer answer_sweep(Members& request);
 Answer answer_follow(Members& request);
 Answer answer_codegen(Members& request);
+Answer answer_mission(Members& request);
 Answer answer_intersections(Members& request);
 Answer answer_operate(Members& request);
 

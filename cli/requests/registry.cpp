@@ -61,6 +61,7 @@ std::span<const RequestKind> request_kinds() {
       RequestKind{"follow", "a path in least time within a tube round it", answer_follow,
                   RequestRuns::one_at_a_time},
       RequestKind{"codegen", "a path as C99 source text", answer_codegen},
+      RequestKind{"mission", "waypoints along a path as a drone's mission", answer_mission},
       RequestKind{"intersections", "where a planar path meets another one, a line or a segment",
                   answer_intersections},
       RequestKind{"operate", "a path reversed, cut, joined, moved, scaled, ...", answer_operate},

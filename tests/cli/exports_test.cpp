@@ -94,6 +94,55 @@ TEST(PlanExports, AreFilesThatOtherProgramsRead) {
   EXPECT_EQ(text_of_file(program.path("p.txt")).find("QGC WPL 110\n"), 0U);
 }
 
+TEST(MissionRequests, WriteWhatTheOptionsWrite) {
+  ASSERT_TRUE(has_geodesy()) << "the tests need GeographicLib (libgeographiclib-dev)";
+  const Program program;
+  ASSERT_EQ(program
+                .run({"plan",
+                      harbour(),
+                      "--turn-radius",
+                      "3",
+                      "--clearance",
+                      "1",
+                      "-o",
+                      "p.json",
+                      "--qgroundcontrol",
+                      "p.plan",
+                      "--wpl",
+                      "p.txt",
+                      "--chord",
+                      "0.1",
+                      "--datum",
+                      "47.4,8.5,400",
+                      "--speed",
+                      "5",
+                      "--acceleration",
+                      "2",
+                      "--altitude",
+                      "30"})
+                .code,
+            0);
+  const std::string flown =
+      R"({"request": "mission", "file": "p.json", "chord": 0.1, "datum": [47.4, 8.5, 400], )"
+      R"("speed": 5, "acceleration": 2, "altitude": 30)";
+  const Outcome outcome =
+      program.run({"batch"}, flown + "}\n" + flown + R"(, "format": "wpl"})" + "\n" + flown +
+                                 R"(, "acceptance_radius": 3, "out": "r.plan"})" + "\n" + flown +
+                                 R"(, "out": "-"})" + "\n");
+  std::istringstream lines(outcome.out);
+  std::vector<Json> answers;
+  for (std::string line; std::getline(lines, line);) answers.push_back(Json::parse(line));
+  ASSERT_EQ(answers.size(), 4U);
+  EXPECT_EQ(answers[0]["result"]["mission"], text_of_file(program.path("p.plan")));
+  EXPECT_EQ(answers[1]["result"]["mission"], text_of_file(program.path("p.txt")));
+  EXPECT_EQ(answers[2]["result"]["out"], Json({{"file", "r.plan"}, {"format", "qgroundcontrol"}}));
+  const Json plan = Json::parse(text_of_file(program.path("r.plan")));
+  EXPECT_EQ(plan["mission"]["items"].size(),
+            Json::parse(text_of_file(program.path("p.plan")))["mission"]["items"].size());
+  EXPECT_EQ(plan["mission"]["items"].back()["params"][1], 3);
+  EXPECT_EQ(answers[3]["fault"]["quantity"], "/out");
+}
+
 TEST(PlanExports, AreTheWorldItselfInLocalCoordinates) {
   const Program program;
   const Outcome made = program.run({"plan", harbour(), "--turn-radius", "3", "--clearance", "1",
