@@ -38,8 +38,8 @@ MODULES: dict[str, tuple[str, tuple[str, ...]]] = {
         "square_free_factors", "trajectory")),
     "_control": ("Ipopt", (
         "AscentReference", "AscentSolved", "AscentStart", "FollowAim", "FollowIndependent",
-        "FollowStart", "Following", "GeneratedCode", "HorizonPlan", "OffsetLimits", "PoweredAscent",
-        "PoweredObjective", "ProgressBy", "RecedingHorizon", "ReferenceJet", "ReferencePath",
+        "FollowNode", "FollowStart", "Following", "GeneratedCode", "HorizonPlan", "OffsetLimits",
+        "PoweredAscent", "PoweredObjective", "ProgressBy", "RecedingHorizon", "ReferenceJet", "ReferencePath",
         "Repropagation", "SolverIteration", "TrackingAscent", "TrackingSetting",
         "arrival_distance_km", "ascent_start", "ascent_starts", "coordinate_rates", "follow",
         "generate_code", "moon_radius_km", "most_name_letters", "offset_limits", "place_of",

@@ -52,38 +52,31 @@ void bind_types(py::module_& m) {
       .value("simple", RootKind::simple, "Exactly one, where the derivative is not zero.")
       .value("cluster", RootKind::cluster, "Undecided: multiple, several, or none.");
   Record<Extremes>(m, "Extremes", "Where the smallest and the largest value lie.")
-      .field<&Extremes::minimum>("minimum")
-      .field<&Extremes::maximum>("maximum")
-      .property("range", &Extremes::range, "The range that no value leaves.")
-      .done()
-      .def(
-          "__eq__", [](const Extremes& a, const Extremes& b) { return a == b; }, py::is_operator())
-      .attr("__hash__") = py::none();
+      .field("minimum", &Extremes::minimum)
+      .field("maximum", &Extremes::maximum)
+      .property("range", &Extremes::range, "The range that no value leaves.");
   Record<SelfDistance>(m, "SelfDistance", "How close parts of a path come to each other.")
-      .field<&SelfDistance::distance>("distance", "Contains the least distance.")
-      .field<&SelfDistance::separation>("separation", "How far apart along the path, at least.")
-      .field<&SelfDistance::xi>("xi", "Two points at most distance.upper apart, (2,).")
-      .field<&SelfDistance::evaluations>("evaluations", "Pairs of pieces looked at.")
-      .done();
+      .field("distance", &SelfDistance::distance, "Contains the least distance.")
+      .field("separation", &SelfDistance::separation, "How far apart along the path, at least.")
+      .field("xi", &SelfDistance::xi, "Two points at most distance.upper apart, (2,).")
+      .field("evaluations", &SelfDistance::evaluations, "Pairs of pieces looked at.");
   py::enum_<TubeLimit>(m, "TubeLimit", "What a tube round a path is limited by.")
       .value("curvature", TubeLimit::curvature)
       .value("distance", TubeLimit::distance)
       .value("corner", TubeLimit::corner)
       .value("standstill", TubeLimit::standstill);
   Record<TubeRadius>(m, "TubeRadius", "The largest radius of a tube, and what limits it.")
-      .field<&TubeRadius::radius>("radius", "Contains the largest radius.")
-      .field<&TubeRadius::limit>("limit")
-      .field<&TubeRadius::curvature>("curvature", "The largest curvature.")
-      .field<&TubeRadius::knot>("knot", "Of a corner.")
-      .field<&TubeRadius::distance>("distance", "Of distinct parts; None if there are none.")
-      .done();
+      .field("radius", &TubeRadius::radius, "Contains the largest radius.")
+      .field("limit", &TubeRadius::limit)
+      .field("curvature", &TubeRadius::curvature, "The largest curvature.")
+      .field("knot", &TubeRadius::knot, "Of a corner.")
+      .field("distance", &TubeRadius::distance, "Of distinct parts; None if there are none.");
   Record<CurvatureParts>(m, "CurvatureParts", "A path in parts by arc length, with bounds.")
-      .field<&CurvatureParts::per_segment>("per_segment")
-      .field<&CurvatureParts::arc_lengths>("arc_lengths",
-                                           "Where parts begin, and the end, (n + 1,)")
-      .field<&CurvatureParts::most_curvature>("most_curvature", "A bound of |kappa|, (n,).")
-      .field<&CurvatureParts::arc_length_error>("arc_length_error")
-      .done();
+      .field("per_segment", &CurvatureParts::per_segment)
+      .field("arc_lengths", &CurvatureParts::arc_lengths,
+             "Where parts begin, and the end, (n + 1,)")
+      .field("most_curvature", &CurvatureParts::most_curvature, "A bound of |kappa|, (n,).")
+      .field("arc_length_error", &CurvatureParts::arc_length_error);
 }
 
 }  // namespace

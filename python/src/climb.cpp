@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -20,24 +21,24 @@ namespace {
 using Point = Vector3<double>;
 
 struct Climb {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   double climb_angle = 0.0, ground_length = 0.0, rotation_index = 0.0, margin = 0.0;
   TieBreak tie = TieBreak::none;
   bool loop_free = true;
 };
 struct Solution {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   double rotation_index = 0.0;
 };
 struct LimitedClimb {
-  AnyPath path = unit_path();
+  AnyPath path = unit_line();
   double climb_angle = 0.0, ground_length = 0.0;
   TurnLimitedShape shape = TurnLimitedShape::one_span;
   std::size_t whole_turns = 0;
   double arc_radius = 0.0, most_ground_curvature = 0.0;
 };
 struct Route {
-  AnyPath path = unit_path();
+  AnyPath path = unit_line();
   std::vector<Vector2<double>> headings;
   std::vector<ClimbSpan> spans;
   std::vector<ClimbJoint> joints;
@@ -66,8 +67,11 @@ LimitedClimb limited_of(const ClimbPath& made) {
 }
 
 /// Many climbs: the preimages (n, 3, 4) and what is known of each, (n,).
-py::tuple many(const Doubles& begins, const Doubles& begin_headings, const Doubles& ends,
-               const Doubles& end_headings, const Doubles& angles, const Doubles& steps) {
+std::tuple<Doubles, Doubles, Doubles, Doubles> many(const Doubles& begins,
+                                                    const Doubles& begin_headings,
+                                                    const Doubles& ends,
+                                                    const Doubles& end_headings,
+                                                    const Doubles& angles, const Doubles& steps) {
   const auto from = points_of<Point>(begins, "begins"), to = points_of<Point>(ends, "ends");
   const auto leaving = points_of<Vector2<double>>(begin_headings, "begin_headings");
   const auto arriving = points_of<Vector2<double>>(end_headings, "end_headings");
@@ -106,56 +110,50 @@ py::tuple many(const Doubles& begins, const Doubles& begin_headings, const Doubl
     indices.mutable_data()[i] = answers[i].rotation_index;
     margins.mutable_data()[i] = answers[i].margin;
   }
-  return py::make_tuple(preimages, lengths, indices, margins);
+  return {preimages, lengths, indices, margins};
 }
 
 void bind_types(py::module_& m) {
   Record<Climb>(m, "ClimbCurve", "A climb, and how good it is.")
-      .field<&Climb::curve>("curve", "One helical quintic on [0, h].")
-      .field<&Climb::climb_angle>("climb_angle", "Radians; negative: descent.")
-      .field<&Climb::ground_length>("ground_length", "The path's own is this over the cosine.")
-      .field<&Climb::rotation_index>("rotation_index", "Of the plan, radians.")
-      .field<&Climb::margin>("margin", "By how much the next solution's exceeds it.")
-      .field<&Climb::tie>("tie")
-      .field<&Climb::loop_free>("loop_free", "No loop that it could do without.")
-      .done();
+      .field("curve", &Climb::curve, "One helical quintic on [0, h].")
+      .field("climb_angle", &Climb::climb_angle, "Radians; negative: descent.")
+      .field("ground_length", &Climb::ground_length, "The path's own is this over the cosine.")
+      .field("rotation_index", &Climb::rotation_index, "Of the plan, radians.")
+      .field("margin", &Climb::margin, "By how much the next solution's exceeds it.")
+      .field("tie", &Climb::tie)
+      .field("loop_free", &Climb::loop_free, "No loop that it could do without.");
   Record<Solution>(m, "ClimbSolution", "One of several climbs between the same ends.")
-      .field<&Solution::curve>("curve")
-      .field<&Solution::rotation_index>("rotation_index")
-      .done();
+      .field("curve", &Solution::curve)
+      .field("rotation_index", &Solution::rotation_index);
   Record<LimitedClimb>(m, "ClimbPath", "A climb that a vehicle can fly.")
-      .field<&LimitedClimb::path>("path")
-      .field<&LimitedClimb::climb_angle>("climb_angle", "Radians; negative in descent.")
-      .field<&LimitedClimb::ground_length>("ground_length")
-      .field<&LimitedClimb::shape>("shape")
-      .field<&LimitedClimb::whole_turns>("whole_turns")
-      .field<&LimitedClimb::arc_radius>("arc_radius", "Of its arcs; 0 for one span.")
-      .field<&LimitedClimb::most_ground_curvature>("most_ground_curvature", "Certified.")
-      .done();
+      .field("path", &LimitedClimb::path)
+      .field("climb_angle", &LimitedClimb::climb_angle, "Radians; negative in descent.")
+      .field("ground_length", &LimitedClimb::ground_length)
+      .field("shape", &LimitedClimb::shape)
+      .field("whole_turns", &LimitedClimb::whole_turns)
+      .field("arc_radius", &LimitedClimb::arc_radius, "Of its arcs; 0 for one span.")
+      .field("most_ground_curvature", &LimitedClimb::most_ground_curvature, "Certified.");
   Record<ClimbSpan>(m, "ClimbSpan", "One span of a route, between two waypoints.")
-      .field<&ClimbSpan::first>("first", "Segment of the path.")
-      .field<&ClimbSpan::last>("last", "Segment of the path.")
-      .field<&ClimbSpan::climb_angle>("climb_angle")
-      .field<&ClimbSpan::ground_length>("ground_length")
-      .field<&ClimbSpan::shape>("shape")
-      .field<&ClimbSpan::whole_turns>("whole_turns")
-      .field<&ClimbSpan::most_ground_curvature>("most_ground_curvature", "Certified.")
-      .done();
+      .field("first", &ClimbSpan::first, "Segment of the path.")
+      .field("last", &ClimbSpan::last, "Segment of the path.")
+      .field("climb_angle", &ClimbSpan::climb_angle)
+      .field("ground_length", &ClimbSpan::ground_length)
+      .field("shape", &ClimbSpan::shape)
+      .field("whole_turns", &ClimbSpan::whole_turns)
+      .field("most_ground_curvature", &ClimbSpan::most_ground_curvature, "Certified.");
   Record<ClimbJoint>(m, "ClimbJoint", "What is continuous where two spans meet; -1: it jumps.")
-      .field<&ClimbJoint::waypoint>("waypoint")
-      .field<&ClimbJoint::knot>("knot")
-      .field<&ClimbJoint::pitch_change>("pitch_change", "Of the climb angle, radians.")
-      .field<&ClimbJoint::position>("position")
-      .field<&ClimbJoint::preimage>("preimage")
-      .field<&ClimbJoint::frame>("frame")
-      .field<&ClimbJoint::angular_velocity>("angular_velocity")
-      .done();
+      .field("waypoint", &ClimbJoint::waypoint)
+      .field("knot", &ClimbJoint::knot)
+      .field("pitch_change", &ClimbJoint::pitch_change, "Of the climb angle, radians.")
+      .field("position", &ClimbJoint::position)
+      .field("preimage", &ClimbJoint::preimage)
+      .field("frame", &ClimbJoint::frame)
+      .field("angular_velocity", &ClimbJoint::angular_velocity);
   Record<Route>(m, "ClimbRoute", "The helical spline through waypoints.")
-      .field<&Route::path>("path")
-      .field<&Route::headings>("headings", "At the waypoints, (n, 2).")
-      .field<&Route::spans>("spans")
-      .field<&Route::joints>("joints", "At the inner waypoints.")
-      .done();
+      .field("path", &Route::path)
+      .field("headings", &Route::headings, "At the waypoints, (n, 2).")
+      .field("spans", &Route::spans)
+      .field("joints", &Route::joints, "At the inner waypoints.");
 }
 
 void bind_curves(py::module_& m) {
@@ -273,18 +271,23 @@ void bind_limited(py::module_& m) {
       py::arg("begin"), py::arg("begin_heading"), py::arg("end"), py::arg("end_heading"),
       py::arg("ground_length"), py::arg("turn_radius") = 0.0,
       "The climb of a given length over ground that keeps the turn radius.");
-  py::class_<ClimbWaypoint>(m, "ClimbWaypoint", "A waypoint of a helical spline.")
-      .def(py::init([](const Doubles& position, const std::optional<Doubles>& heading,
-                       std::optional<double> climb_angle, std::optional<double> ground_length) {
-             ClimbWaypoint waypoint{point_of<Point>(position, "position"), std::nullopt,
-                                    climb_angle, ground_length};
-             if (heading) waypoint.heading = point_of<Vector2<double>>(*heading, "heading");
-             return waypoint;
-           }),
-           py::arg("position"), py::kw_only(), py::arg("heading") = py::none(),
-           py::arg("climb_angle") = py::none(), py::arg("ground_length") = py::none(),
-           "A place (3,), a heading (2,) or the rule's, and the angle (radians) or the length over "
-           "ground of\nthe span that begins here, or neither: found within the limits.");
+  Record<ClimbWaypoint> record(m, "ClimbWaypoint", "A waypoint of a helical spline.");
+  record.def(
+      py::init([](const Doubles& position, const std::optional<Doubles>& heading,
+                  std::optional<double> climb_angle, std::optional<double> ground_length) {
+        ClimbWaypoint waypoint{point_of<Point>(position, "position"), std::nullopt, climb_angle,
+                               ground_length};
+        if (heading) waypoint.heading = point_of<Vector2<double>>(*heading, "heading");
+        return waypoint;
+      }),
+      py::arg("position"), py::kw_only(), py::arg("heading") = py::none(),
+      py::arg("climb_angle") = py::none(), py::arg("ground_length") = py::none(),
+      "A place (3,), a heading (2,) or the rule's, and the angle (radians) or the length over "
+      "ground of\nthe span that begins here, or neither: found within the limits.");
+  record.field("position", &ClimbWaypoint::position, "(3,).")
+      .field("heading", &ClimbWaypoint::heading, "(2,), or None.")
+      .field("climb_angle", &ClimbWaypoint::climb_angle, "Radians, or None.")
+      .field("ground_length", &ClimbWaypoint::ground_length, "Or None.");
   m.def(
       "climb_route",
       [](const std::vector<ClimbWaypoint>& waypoints, double climb_angle, double descent_angle,

@@ -12,7 +12,7 @@
 #include "hodograph/path/helix.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/convert.hpp"
-#include "python/src/records.hpp"
+#include "python/src/swept.hpp"
 
 namespace hodograph::python {
 
@@ -54,20 +54,17 @@ void bind_jumps(py::module_& m) {
   Record<Jumps>(
       m, "WorstJumps",
       "The jumps of a quantity and its derivatives, without unit, by order of derivative.")
-      .field<&Jumps::jump>("jump", "Scaled by the size and the shorter step.")
-      .field<&Jumps::allowed>("allowed", "What rounding may make of each.")
-      .field<&Jumps::knot>("knot", "Where; empty for the jumps at one knot. The closing knot is 0.")
-      .field<&Jumps::order>("order", "How often it is continuously differentiable; -1: it jumps.")
-      .done();
+      .field("jump", &Jumps::jump, "Scaled by the size and the shorter step.")
+      .field("allowed", &Jumps::allowed, "What rounding may make of each.")
+      .field("knot", &Jumps::knot, "Where; empty for the jumps at one knot. The closing knot is 0.")
+      .field("order", &Jumps::order, "How often it is continuously differentiable; -1: it jumps.");
   Record<Smoothness>(m, "PathContinuity", "The jumps of position and preimage.")
-      .field<&Smoothness::position>("position", "r to r''''.")
-      .field<&Smoothness::preimage>("preimage", "A to A'''.")
-      .field<&Smoothness::antiperiodic>("antiperiodic", "Closed, to the preimage's negative.")
-      .done();
+      .field("position", &Smoothness::position, "r to r''''.")
+      .field("preimage", &Smoothness::preimage, "A to A'''.")
+      .field("antiperiodic", &Smoothness::antiperiodic, "Closed, to the preimage's negative.");
   Record<FrameSmoothness>(m, "FrameContinuity", "The jumps of the Euler-Rodrigues frame.")
-      .field<&FrameSmoothness::frame>("frame", "R to R'''.")
-      .field<&FrameSmoothness::angular_velocity>("angular_velocity", "omega to omega''.")
-      .done();
+      .field("frame", &FrameSmoothness::frame, "R to R'''.")
+      .field("angular_velocity", &FrameSmoothness::angular_velocity, "omega to omega''.");
   m.def(
       "continuity",
       [](const AnyPath& path) {
@@ -99,9 +96,8 @@ void bind_jumps(py::module_& m) {
       },
       py::arg("path"), py::arg("knot"), "The same of the frame and its angular velocity.");
   Record<HolonomyNumbers>(m, "Holonomy", "What is left over when the frame has gone once round.")
-      .field<&HolonomyNumbers::roll>("roll", "Radians, in (-pi, pi].")
-      .field<&HolonomyNumbers::sign>("sign", "-1: the preimage returns to its negative.")
-      .done();
+      .field("roll", &HolonomyNumbers::roll, "Radians, in (-pi, pi].")
+      .field("sign", &HolonomyNumbers::sign, "-1: the preimage returns to its negative.");
   m.def(
       "holonomy",
       [](const AnyPath& path) {
@@ -115,7 +111,8 @@ void bind_jumps(py::module_& m) {
       "closing_roll",
       [](const AnyPath& path) {
         const auto roll = closing_roll(path).value();
-        return FrameRoll::linear(PreimageTable::of(path).value(), roll.theta_begin, roll.rate);
+        return made(FrameRoll::linear(PreimageTable::of(path).value(), roll.theta_begin, roll.rate),
+                    "closing_roll", path);
       },
       py::arg("path"), "The roll that distributes the holonomy evenly over xi.");
 }
@@ -158,11 +155,10 @@ FrenetStates frenet_at(const AnyPath& path, const Doubles& xi) {
 
 void bind_frenet(py::module_& m) {
   Record<FrenetStates>(m, "FrenetState", "Tangent, principal normal and binormal.")
-      .field<&FrenetStates::frame>("frame", "The axes as columns, (..., 3, 3).")
-      .field<&FrenetStates::curvature>("curvature")
-      .field<&FrenetStates::torsion>("torsion")
-      .field<&FrenetStates::roll>("roll", "Against the Euler-Rodrigues frame, in (-pi, pi].")
-      .done();
+      .field("frame", &FrenetStates::frame, "The axes as columns, (..., 3, 3).")
+      .field("curvature", &FrenetStates::curvature)
+      .field("torsion", &FrenetStates::torsion)
+      .field("roll", &FrenetStates::roll, "Against the Euler-Rodrigues frame, in (-pi, pi].");
   m.def("frenet", &frenet_at, py::arg("path"), py::arg("xi"),
         "The Frenet frame of a path in space. Raises HodographError: outside_domain (xi, or the "
         "curvature is\nzero within rounding there), unsupported.");
@@ -177,19 +173,17 @@ const AnyPath& in_space_only(const AnyPath& path) {
 void bind_helix(py::module_& m) {
   using Point = Vector3<double>;
   Record<HelixStretch>(m, "HelixStretch", "Consecutive segments of one climb angle.")
-      .field<&HelixStretch::first>("first", "Segment.")
-      .field<&HelixStretch::last>("last", "Segment.")
-      .field<&HelixStretch::sine>("sine", "Of the angle between the tangent and the level.")
-      .field<&HelixStretch::sine_range>("sine_range", "Contains it everywhere on them.")
-      .done();
+      .field("first", &HelixStretch::first, "Segment.")
+      .field("last", &HelixStretch::last, "Segment.")
+      .field("sine", &HelixStretch::sine, "Of the angle between the tangent and the level.")
+      .field("sine_range", &HelixStretch::sine_range, "Contains it everywhere on them.");
   Record<HelixFit>(m, "HelixFit", "The axis that fits a path best, and how the path climbs.")
-      .field<&HelixFit::axis>("axis", "Unit, in the upper half-space, (3,).")
-      .field<&HelixFit::residual>("residual")
-      .field<&HelixFit::freedom>("freedom", "0: no axis fits within rounding; 1: this one; 3: any.")
-      .field<&HelixFit::stretches>("stretches")
+      .field("axis", &HelixFit::axis, "Unit, in the upper half-space, (3,).")
+      .field("residual", &HelixFit::residual)
+      .field("freedom", &HelixFit::freedom, "0: no axis fits within rounding; 1: this one; 3: any.")
+      .field("stretches", &HelixFit::stretches)
       .property("is_helical", &HelixFit::is_helical)
-      .property("is_helix", &HelixFit::is_helix, "With one climb angle.")
-      .done();
+      .property("is_helix", &HelixFit::is_helix, "With one climb angle.");
   m.def(
       "recognised_helix",
       [](const AnyPath& path) {

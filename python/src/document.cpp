@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -36,24 +36,23 @@ void save(const PathDocument& document, const std::filesystem::path& file) {
 }
 
 void bind_provenance(py::module_& m) {
-  ValueClass<Roll> roll(m, "LinearRoll",
-                        "A roll theta = theta_begin + rate (xi - xi_begin) of a frame against the "
-                        "Euler-Rodrigues frame, radians.");
+  Record<Roll> roll(m, "LinearRoll",
+                    "A roll theta = theta_begin + rate (xi - xi_begin) of a frame against the "
+                    "Euler-Rodrigues frame, radians.");
   roll.def(py::init([](double xi_begin, double theta_begin, double rate) {
              const double all[] = {xi_begin, theta_begin, rate};
              require_finite(all, "the roll");
              return Roll{xi_begin, theta_begin, rate};
            }),
            py::arg("xi_begin"), py::arg("theta_begin"), py::arg("rate"));
-  roll.member("xi_begin", &Roll::xi_begin)
-      .member("theta_begin", &Roll::theta_begin)
-      .member("rate", &Roll::rate)
-      .picklable()
+  roll.field("xi_begin", &Roll::xi_begin)
+      .field("theta_begin", &Roll::theta_begin)
+      .field("rate", &Roll::rate)
       .def(
           "angle", [](const Roll& self, double xi) { return self.angle(xi); }, py::arg("xi"),
           "theta(xi), radians.");
-  ValueClass<Provenance> provenance(m, "Provenance",
-                                    "How a path was made; every member free text or absent.");
+  Record<Provenance> provenance(m, "Provenance",
+                                "How a path was made; every member free text or absent.");
   provenance.def(
       py::init([](const std::string& program, const std::string& source, const std::string& method,
                   const std::string& choice, std::optional<double> tolerance) {
@@ -61,16 +60,15 @@ void bind_provenance(py::module_& m) {
       }),
       py::kw_only(), py::arg("program") = "", py::arg("source") = "", py::arg("method") = "",
       py::arg("choice") = "", py::arg("tolerance") = py::none());
-  provenance.member("program", &Provenance::program, "What wrote the document.")
-      .member("source", &Provenance::source, "The data the path stands for.")
-      .member("method", &Provenance::method, "The construction.")
-      .member("choice", &Provenance::choice, "Its free parameters.")
-      .member("tolerance", &Provenance::tolerance, "The position error asked for.")
-      .picklable();
+  provenance.field("program", &Provenance::program, "What wrote the document.")
+      .field("source", &Provenance::source, "The data the path stands for.")
+      .field("method", &Provenance::method, "The construction.")
+      .field("choice", &Provenance::choice, "Its free parameters.")
+      .field("tolerance", &Provenance::tolerance, "The position error asked for.");
 }
 
 void bind_single_promises(py::module_& m) {
-  ValueClass<ContinuityOrders> orders(
+  Record<ContinuityOrders> orders(
       m, "ContinuityOrders",
       "The derivatives that are continuous at every knot; 0 is the value itself, -1 means it "
       "jumps.");
@@ -79,32 +77,29 @@ void bind_single_promises(py::module_& m) {
              }),
              py::kw_only(), py::arg("position") = 0, py::arg("preimage") = -1,
              py::arg("frame") = -1, py::arg("angular_velocity") = -1);
-  orders.member("position", &ContinuityOrders::position)
-      .member("preimage", &ContinuityOrders::preimage)
-      .member("frame", &ContinuityOrders::frame)
-      .member("angular_velocity", &ContinuityOrders::angular_velocity)
-      .picklable();
-  ValueClass<ErrorPromise> error(m, "ErrorPromise",
-                                 "The largest distance between a path and what it stands for.");
+  orders.field("position", &ContinuityOrders::position)
+      .field("preimage", &ContinuityOrders::preimage)
+      .field("frame", &ContinuityOrders::frame)
+      .field("angular_velocity", &ContinuityOrders::angular_velocity);
+  Record<ErrorPromise> error(m, "ErrorPromise",
+                             "The largest distance between a path and what it stands for.");
   error.def(py::init([](const Enclosure& distance, bool certified, const std::string& against) {
               return ErrorPromise{distance, certified, against};
             }),
             py::arg("distance"), py::arg("certified") = false, py::arg("against") = "");
-  error.member("distance", &ErrorPromise::distance)
-      .member("certified", &ErrorPromise::certified, "Else it is an estimate from samples.")
-      .member("against", &ErrorPromise::against, "What the path was compared with.")
-      .picklable();
-  ValueClass<ObstacleDistance> distance(
-      m, "ObstacleDistance", "The distance of the whole path from one obstacle of a world.");
+  error.field("distance", &ErrorPromise::distance)
+      .field("certified", &ErrorPromise::certified, "Else it is an estimate from samples.")
+      .field("against", &ErrorPromise::against, "What the path was compared with.");
+  Record<ObstacleDistance> distance(m, "ObstacleDistance",
+                                    "The distance of the whole path from one obstacle of a world.");
   distance.def(py::init([](std::size_t obstacle, const Enclosure& enclosed) {
                  return ObstacleDistance{obstacle, enclosed};
                }),
                py::arg("obstacle"), py::arg("distance"));
-  distance.member("obstacle", &ObstacleDistance::obstacle, "Its number in the world.")
-      .member("distance", &ObstacleDistance::distance)
-      .picklable();
-  ValueClass<ClearancePromise> clearance(m, "ClearancePromise",
-                                         "How far a path stays from the obstacles of a world.");
+  distance.field("obstacle", &ObstacleDistance::obstacle, "Its number in the world.")
+      .field("distance", &ObstacleDistance::distance);
+  Record<ClearancePromise> clearance(m, "ClearancePromise",
+                                     "How far a path stays from the obstacles of a world.");
   clearance.def(
       py::init([](const std::string& world, double reach, std::vector<ObstacleDistance> obstacles,
                   std::optional<Enclosure> bounds) {
@@ -112,22 +107,19 @@ void bind_single_promises(py::module_& m) {
       }),
       py::kw_only(), py::arg("world") = "", py::arg("reach") = 0.0,
       py::arg("obstacles") = std::vector<ObstacleDistance>{}, py::arg("bounds") = py::none());
-  clearance.member("world", &ClearancePromise::world, "The file that holds the world.")
-      .member("reach", &ClearancePromise::reach, "Everything that is not listed is so far.")
-      .member("obstacles", &ClearancePromise::obstacles, "In ascending order.")
-      .member("bounds", &ClearancePromise::bounds, "The distance from the bounds, inside them.")
-      .picklable();
-  ValueClass<HelixSine> sine(m, "HelixSine",
-                             "From a segment on, the sine of the climb angle is in `sine`.");
+  clearance.field("world", &ClearancePromise::world, "The file that holds the world.")
+      .field("reach", &ClearancePromise::reach, "Everything that is not listed is so far.")
+      .field("obstacles", &ClearancePromise::obstacles, "In ascending order.")
+      .field("bounds", &ClearancePromise::bounds, "The distance from the bounds, inside them.");
+  Record<HelixSine> sine(m, "HelixSine",
+                         "From a segment on, the sine of the climb angle is in `sine`.");
   sine.def(py::init([](std::size_t first_segment, const Enclosure& enclosed) {
              return HelixSine{first_segment, enclosed};
            }),
            py::arg("first_segment"), py::arg("sine"));
-  sine.member("first_segment", &HelixSine::first_segment)
-      .member("sine", &HelixSine::sine)
-      .picklable();
-  ValueClass<HelixPromise> helix(m, "HelixPromise",
-                                 "A path of constant climb, or of several angles in turn.");
+  sine.field("first_segment", &HelixSine::first_segment).field("sine", &HelixSine::sine);
+  Record<HelixPromise> helix(m, "HelixPromise",
+                             "A path of constant climb, or of several angles in turn.");
   helix.def(py::init([](const std::optional<Doubles>& axis, std::vector<HelixSine> sines) {
               HelixPromise promise;
               if (axis) promise.axis = point_of<Vector3<double>>(*axis, "axis");
@@ -136,13 +128,12 @@ void bind_single_promises(py::module_& m) {
             }),
             py::kw_only(), py::arg("axis") = py::none(),
             py::arg("sines") = std::vector<HelixSine>{});
-  helix.member("axis", &HelixPromise::axis, "(3,); (0, 0, 1) unless given.")
-      .member("sines", &HelixPromise::sines, "In ascending order, the first from segment 0 on.")
-      .picklable();
+  helix.field("axis", &HelixPromise::axis, "(3,); (0, 0, 1) unless given.")
+      .field("sines", &HelixPromise::sines, "In ascending order, the first from segment 0 on.");
 }
 
 void bind_promises(py::module_& m) {
-  ValueClass<Promises> promises(m, "Promises", "What a path promises; None means that nothing is.");
+  Record<Promises> promises(m, "Promises", "What a path promises; None means that nothing is.");
   promises
       .def(py::init(
                [](std::optional<ContinuityOrders> continuity, std::optional<ErrorPromise> error,
@@ -163,22 +154,22 @@ void bind_promises(py::module_& m) {
            py::arg("end") = py::none(), py::arg("largest_curvature") = py::none(),
            py::arg("clearance") = py::none(), py::arg("helix") = py::none())
       .def("empty", &Promises::empty, "True where nothing is promised.");
-  promises.member("continuity", &Promises::continuity)
-      .member("error", &Promises::error)
-      .member("arc_length", &Promises::arc_length, "Of the whole path.")
-      .member("smallest_speed", &Promises::smallest_speed)
-      .member("largest_speed", &Promises::largest_speed)
-      .member("curvature_bound", &Promises::curvature_bound, "|kappa| is at most this.")
-      .member("end", &Promises::end, "Where the path ends, (3,); z is 0 in the plane.")
-      .member("largest_curvature", &Promises::largest_curvature)
-      .member("clearance", &Promises::clearance)
-      .member("helix", &Promises::helix)
-      .picklable();
+  promises.field("continuity", &Promises::continuity)
+      .field("error", &Promises::error)
+      .field("arc_length", &Promises::arc_length, "Of the whole path.")
+      .field("smallest_speed", &Promises::smallest_speed)
+      .field("largest_speed", &Promises::largest_speed)
+      .field("curvature_bound", &Promises::curvature_bound, "|kappa| is at most this.")
+      .field("end", &Promises::end, "Where the path ends, (3,); z is 0 in the plane.")
+      .field("largest_curvature", &Promises::largest_curvature)
+      .field("clearance", &Promises::clearance)
+      .field("helix", &Promises::helix);
 }
 
 void bind_path_document(py::module_& m) {
-  ValueClass<PathDocument> document(m, "PathDocument",
-                                    "A path and all that belongs to it. Texts are UTF-8.");
+  Record<PathDocument> document(m, "PathDocument",
+                                "A path and all that belongs to it. Texts are UTF-8.",
+                                PathDocument{unit_line()});
   document.def(
       py::init([](const AnyPath& path, const std::string& name, const std::string& length_unit,
                   const std::string& parameter_unit, std::optional<Roll> roll,
@@ -192,14 +183,13 @@ void bind_path_document(py::module_& m) {
       py::arg("path"), py::kw_only(), py::arg("name") = "", py::arg("length_unit") = "",
       py::arg("parameter_unit") = "", py::arg("roll") = py::none(),
       py::arg("provenance") = Provenance{}, py::arg("promises") = Promises{});
-  document.member("path", &PathDocument::path)
-      .member("name", &PathDocument::name)
-      .member("length_unit", &PathDocument::length_unit, "Of positions and arc length: \"m\".")
-      .member("parameter_unit", &PathDocument::parameter_unit, "Of xi: \"s\".")
-      .member("roll", &PathDocument::roll, "The frame's roll, in space.")
-      .member("provenance", &PathDocument::provenance)
-      .member("promises", &PathDocument::promises)
-      .picklable(PathDocument{unit_line()});
+  document.field("path", &PathDocument::path)
+      .field("name", &PathDocument::name)
+      .field("length_unit", &PathDocument::length_unit, "Of positions and arc length: \"m\".")
+      .field("parameter_unit", &PathDocument::parameter_unit, "Of xi: \"s\".")
+      .field("roll", &PathDocument::roll, "The frame's roll, in space.")
+      .field("provenance", &PathDocument::provenance)
+      .field("promises", &PathDocument::promises);
 }
 
 }  // namespace

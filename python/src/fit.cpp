@@ -62,8 +62,8 @@ py::dict fit_function(const py::function& gamma, double begin, double end, doubl
 py::dict fit_samples(const Doubles& parameters, const Doubles& samples, bool periodic,
                      double tolerance, HermiteChoice choice, FitKnots knots, std::size_t segments,
                      std::size_t most_segments) {
-  const FitOptions options =
-      options_of(tolerance, choice, knots, segments, most_segments, periodic);
+  FitOptions options = options_of(tolerance, choice, knots, segments, most_segments, periodic);
+  options.progress = [](std::size_t, double) { return !interruption_wanted(); };
   const auto points = points_of<Vector3<double>>(samples, "samples");
   if (parameters.ndim() != 1) refuse_shape("parameters", "(n,)", parameters);
   const auto at = numbers(parameters);

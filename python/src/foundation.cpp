@@ -12,6 +12,21 @@
 
 namespace hodograph::python {
 
+/// An iterator whose type in signatures says over what.
+class Floats : public py::iterator {
+ public:
+  Floats(const py::iterator& all) : py::iterator(all) {}
+};
+
+}  // namespace hodograph::python
+
+template <>
+struct pybind11::detail::handle_type_name<hodograph::python::Floats> {
+  static constexpr auto name = const_name("Iterator[float]");
+};
+
+namespace hodograph::python {
+
 namespace {
 
 /// hodograph.HodographError with the parts of the fault.
@@ -70,7 +85,9 @@ void bind_foundation(py::module_& m) {
       .def("__hash__",
            [](const Enclosure& e) { return py::hash(py::make_tuple(e.lower(), e.upper())); })
       .def("__iter__",
-           [](const Enclosure& e) { return py::iter(py::make_tuple(e.lower(), e.upper())); })
+           [](const Enclosure& e) -> Floats {
+             return py::iter(py::make_tuple(e.lower(), e.upper()));
+           })
       .def("__repr__", text_of)
       .def(py::pickle(
           [](const Enclosure& e) { return py::make_tuple(e.lower(), e.upper()); },

@@ -13,7 +13,7 @@
 #include "hodograph/io/mesh_file.hpp"
 #include "hodograph/io/table.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -28,18 +28,17 @@ std::optional<Point> maybe_point(const std::optional<Doubles>& array, const char
 }
 
 void bind_worlds(py::module_& m) {
-  ValueClass<WorldDocument> document(m, "WorldDocument",
-                                     "A world, and the places that its file names.");
+  Record<WorldDocument> document(m, "WorldDocument",
+                                 "A world, and the places that its file names.");
   document.def(
       py::init([](const World& world, const std::optional<Doubles>& start,
                   const std::optional<Doubles>& goal) {
         return WorldDocument{world, maybe_point(start, "start"), maybe_point(goal, "goal")};
       }),
       py::arg("world"), py::arg("start") = py::none(), py::arg("goal") = py::none());
-  document.member("world", &WorldDocument::world)
-      .member("start", &WorldDocument::start, "(2,), or None.")
-      .member("goal", &WorldDocument::goal, "(2,), or None.")
-      .picklable();
+  document.field("world", &WorldDocument::world)
+      .field("start", &WorldDocument::start, "(2,), or None.")
+      .field("goal", &WorldDocument::goal, "(2,), or None.");
   m.def(
       "parse_world",
       [](const std::string& text, const std::string& source) {
@@ -59,7 +58,7 @@ void bind_worlds(py::module_& m) {
 }
 
 void bind_scenes(py::module_& m) {
-  ValueClass<GeoJsonPath> path(m, "GeoJsonPath", "A path as a line, with what its properties say.");
+  Record<GeoJsonPath> path(m, "GeoJsonPath", "A path as a line, with what its properties say.");
   path.def(py::init([](const Doubles& points, const std::string& name, const std::string& kind,
                        std::optional<double> chord_tolerance, const Promises& promises) {
              GeoJsonPath made;
@@ -80,13 +79,12 @@ void bind_scenes(py::module_& m) {
            py::arg("points"), py::kw_only(), py::arg("name") = "", py::arg("kind") = "",
            py::arg("chord_tolerance") = py::none(), py::arg("promises") = Promises{},
            "points: (n, 2) or (n, 3); chord_tolerance: how far the path may be from the line.");
-  path.member("name", &GeoJsonPath::name)
-      .member("kind", &GeoJsonPath::kind)
-      .member("points", &GeoJsonPath::points, "(n, 3); z is 0 in the plane.")
-      .member("spatial", &GeoJsonPath::spatial)
-      .member("chord_tolerance", &GeoJsonPath::chord_tolerance)
-      .member("promises", &GeoJsonPath::promises)
-      .picklable();
+  path.field("name", &GeoJsonPath::name)
+      .field("kind", &GeoJsonPath::kind)
+      .field("points", &GeoJsonPath::points, "(n, 3); z is 0 in the plane.")
+      .field("spatial", &GeoJsonPath::spatial)
+      .field("chord_tolerance", &GeoJsonPath::chord_tolerance)
+      .field("promises", &GeoJsonPath::promises);
   m.def(
       "to_geojson",
       [](const World& world, const std::vector<GeoJsonPath>& paths,
@@ -126,14 +124,15 @@ Table table_of(const Doubles& values, std::vector<std::string> names) {
 }
 
 void bind_tables(py::module_& m) {
-  py::class_<Table>(m, "Table", "Rows of finite numbers in named columns.")
+  Record<Table> record(m, "Table", "Rows of finite numbers in named columns.");
+  record.field("names", &Table::names, "Of the columns; empty without a header.")
+      .field("column_count", &Table::column_count)
+      .field("_values", &Table::values)
+      .field("lines", &Table::lines, "The line of the text on which each row stands, from 1.")
+      .property("row_count", &Table::row_count);
+  record
       .def(py::init(&table_of), py::arg("values"), py::arg("names") = std::vector<std::string>{},
            "From values (rows, columns) and the names of the columns.")
-      .def_readonly("names", &Table::names, "Of the columns; empty without a header.")
-      .def_property_readonly("row_count", &Table::row_count)
-      .def_readonly("column_count", &Table::column_count)
-      .def_readonly("lines", &Table::lines,
-                    "The line of the text on which each row stands, from 1.")
       .def_property_readonly(
           "values",
           [](const py::object& self) {
@@ -158,11 +157,8 @@ void bind_tables(py::module_& m) {
           "column",
           [](const Table& table, const std::string& name) { return table.column(name).value(); },
           py::arg("name"),
-          "The column (from 0) with a name, or with a number from 1; case and units do not matter.")
-      .def("__repr__", [](const Table& table) {
-        return "<hodograph.Table: " + std::to_string(table.row_count()) + " rows, " +
-               std::to_string(table.column_count) + " columns>";
-      });
+          "The column (from 0) with a name, or with a number from 1; case and units do not "
+          "matter.");
   m.def(
       "read_table",
       [](const std::string& text, const std::string& source) {
@@ -177,10 +173,13 @@ void bind_tables(py::module_& m) {
   m.def(
       "unit_of", [](const std::string& name) { return unit_of(name); }, py::arg("column_name"),
       "The unit a name states in brackets: \"TU\" of \"Time (TU)\".");
-  py::class_<CurveSamples>(m, "CurveSamples", "Points of a curve at increasing parameters.")
-      .def_property_readonly("parameters",
-                             [](const CurveSamples& s) { return array_of(s.parameters); })
-      .def_property_readonly(
+  Record<CurveSamples>(m, "CurveSamples", "Points of a curve at increasing parameters.")
+      .field("parameters", &CurveSamples::parameters)
+      .field("_points", &CurveSamples::points)
+      .field("dimension", &CurveSamples::dimension)
+      .field("parameter_unit", &CurveSamples::parameter_unit)
+      .field("length_unit", &CurveSamples::length_unit)
+      .property(
           "points",
           [](const CurveSamples& s) {
             Doubles rows(
@@ -191,14 +190,7 @@ void bind_tables(py::module_& m) {
             }
             return rows;
           },
-          "(n, 2) or (n, 3).")
-      .def_readonly("dimension", &CurveSamples::dimension)
-      .def_readonly("parameter_unit", &CurveSamples::parameter_unit)
-      .def_readonly("length_unit", &CurveSamples::length_unit)
-      .def("__repr__", [](const CurveSamples& s) {
-        return "<hodograph.CurveSamples: " + std::to_string(s.points.size()) + " points in " +
-               std::to_string(s.dimension) + " dimensions>";
-      });
+          "(n, 2) or (n, 3).");
   m.def(
       "curve_samples",
       [](const Table& table, const std::string& parameter,

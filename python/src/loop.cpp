@@ -27,7 +27,7 @@ using Point = Vector3<double>;
 struct Chosen {
   LoopShape shape;
   double roll = 0.0;
-  AnyPath path = unit_path();
+  AnyPath path = unit_line();
   Enclosure value;
   std::array<double, 3> grid_steps{};
   std::size_t evaluations = 0;
@@ -104,46 +104,36 @@ Facts facts_of_loop(const AnyPath& path) {
 }
 
 void bind_types(py::module_& m) {
-  auto shape =
-      Record<LoopShape>(m, "LoopShape", "Which member of the family of loops.")
-          .field<&LoopShape::xi>("xi", "Any number; +-inf are the limit members.")
-          .field<&LoopShape::psi>("psi", "In [-pi, pi]: half the roll of the frame round the loop.")
-          .done();
-  shape
-      .def(py::init([](double xi, double psi) {
-             return LoopShape{xi, psi};
-           }),
-           py::arg("xi") = 0.0, py::arg("psi") = LoopShape{}.psi)
-      .def(
-          "__eq__", [](const LoopShape& a, const LoopShape& b) { return a == b; },
-          py::is_operator())
-      .attr("__hash__") = py::none();
+  Record<LoopShape> shape(m, "LoopShape", "Which member of the family of loops.");
+  shape.def(py::init([](double xi, double psi) {
+              return LoopShape{xi, psi};
+            }),
+            py::arg("xi") = 0.0, py::arg("psi") = LoopShape{}.psi);
+  shape.field("xi", &LoopShape::xi, "Any number; +-inf are the limit members.")
+      .field("psi", &LoopShape::psi, "In [-pi, pi]: half the roll of the frame round the loop.");
   py::enum_<LoopPurpose>(m, "LoopPurpose", "What is least in the chosen loop.")
       .value("least_energy", LoopPurpose::least_energy)
       .value("least_torsion_range", LoopPurpose::least_torsion_range)
       .value("near_point", LoopPurpose::near_point)
       .value("extents", LoopPurpose::extents);
   Record<Juncture>(m, "LoopJuncture", "Curvature and torsion where a loop of length 1 closes.")
-      .field<&Juncture::curvature>("curvature")
-      .field<&Juncture::torsion_begin>("torsion_begin")
-      .field<&Juncture::torsion_end>("torsion_end")
-      .done();
+      .field("curvature", &Juncture::curvature)
+      .field("torsion_begin", &Juncture::torsion_begin)
+      .field("torsion_end", &Juncture::torsion_end);
   Record<Chosen>(m, "ChosenLoop", "A loop chosen for a purpose.")
-      .field<&Chosen::shape>("shape")
-      .field<&Chosen::roll>("roll", "Of the frame beyond the one given, radians.")
-      .field<&Chosen::path>("path")
-      .field<&Chosen::value>("value", "Contains what the purpose makes least.")
-      .field<&Chosen::grid_steps>("grid_steps", "Of the search: arctan xi, psi, roll; 0: held.")
-      .field<&Chosen::evaluations>("evaluations")
-      .done();
+      .field("shape", &Chosen::shape)
+      .field("roll", &Chosen::roll, "Of the frame beyond the one given, radians.")
+      .field("path", &Chosen::path)
+      .field("value", &Chosen::value, "Contains what the purpose makes least.")
+      .field("grid_steps", &Chosen::grid_steps, "Of the search: arctan xi, psi, roll; 0: held.")
+      .field("evaluations", &Chosen::evaluations);
   Record<Facts>(m, "LoopFacts", "What is certain of a loop, enclosed.")
-      .field<&Facts::speed>("speed")
-      .field<&Facts::curvature>("curvature")
-      .field<&Facts::torsion>("torsion")
-      .field<&Facts::energy>("energy", "None for limit members.")
-      .field<&Facts::box>("box", "Of each coordinate.")
-      .field<&Facts::tube>("tube")
-      .done();
+      .field("speed", &Facts::speed)
+      .field("curvature", &Facts::curvature)
+      .field("torsion", &Facts::torsion)
+      .field("energy", &Facts::energy, "None for limit members.")
+      .field("box", &Facts::box, "Of each coordinate.")
+      .field("tube", &Facts::tube);
 }
 
 }  // namespace
@@ -164,7 +154,7 @@ void bind_loop(py::module_& m) {
       "closed_loop_control_points",
       [](double xi, double psi) {
         const auto points = closed_loop_control_points({xi, psi}).value();
-        return rows_of(std::vector<Point>(points.begin(), points.end()));
+        return array_of(std::vector<Point>(points.begin(), points.end()));
       },
       py::arg("xi") = 0.0, py::arg("psi") = LoopShape{}.psi,
       "The Bezier control points (8, 3) of the canonical loop, in closed form.");

@@ -2,6 +2,7 @@
 // Triangle meshes as arrays: surface/triangle_mesh.hpp, surface/sweep_mesh.hpp.
 #include "hodograph/surface/triangle_mesh.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -10,7 +11,7 @@
 #include "hodograph/surface/sweep_mesh.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/convert.hpp"
-#include "python/src/records.hpp"
+#include "python/src/swept.hpp"
 
 namespace hodograph::python {
 
@@ -105,6 +106,28 @@ Doubles vertices_of(const TriangleMesh& mesh) {
   return result;
 }
 
+py::tuple state_of(const TriangleMesh& mesh) {
+  const auto indices = [](const Index* data, const Shape& shape) { return Indices(shape, data); };
+  return py::make_tuple(array_of(mesh.positions), array_of(mesh.normals),
+                        indices(mesh.position_of.data(), {size(mesh.position_of.size())}),
+                        indices(mesh.triangles.empty() ? nullptr : mesh.triangles.front().data(),
+                                {size(mesh.triangles.size()), 3}));
+}
+
+TriangleMesh mesh_of_state(const py::tuple& state) {
+  require_members(state, 4);
+  TriangleMesh mesh;
+  mesh.positions = points_of<Vector3<double>>(state[0].cast<Doubles>(), "positions");
+  mesh.normals = points_of<Vector3<double>>(state[1].cast<Doubles>(), "normals");
+  const auto rows = state[2].cast<Indices>(), corners = state[3].cast<Indices>();
+  mesh.position_of.assign(rows.data(), rows.data() + rows.size());
+  mesh.triangles.resize(static_cast<std::size_t>(corners.size()) / 3);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::copy_n(corners.data() + 3 * i, 3, mesh.triangles[i].begin());
+  }
+  return mesh;
+}
+
 void bind_triangle_mesh(py::module_& m) {
   py::class_<TriangleMesh>(m, "TriangleMesh",
                            "Triangles between numbered vertices, each a position with a normal. "
@@ -147,23 +170,31 @@ void bind_triangle_mesh(py::module_& m) {
             return result;
           },
           "Which row of `positions` every vertex has, (n,). A copy.")
-      .def("__repr__", [](const TriangleMesh& mesh) {
-        return "<hodograph.TriangleMesh: " + std::to_string(mesh.vertex_count()) + " vertices, " +
-               std::to_string(mesh.triangles.size()) + " triangles>";
-      });
+      .def("__repr__",
+           [](const TriangleMesh& mesh) {
+             return "<hodograph.TriangleMesh: " + std::to_string(mesh.vertex_count()) +
+                    " vertices, " + std::to_string(mesh.triangles.size()) + " triangles>";
+           })
+      .def(
+          "__eq__",
+          [](const TriangleMesh& a, const TriangleMesh& b) {
+            return a.positions == b.positions && a.normals == b.normals &&
+                   a.position_of == b.position_of && a.triangles == b.triangles;
+          },
+          py::is_operator())
+      .def(py::pickle(&state_of, &mesh_of_state));
   Record<MeshFacts>(m, "MeshFacts", "Counts, edges, area and volume of a mesh.")
-      .field<&MeshFacts::positions>("positions")
-      .field<&MeshFacts::triangles>("triangles")
-      .field<&MeshFacts::edges>("edges")
-      .field<&MeshFacts::boundary_edges>("boundary_edges", "With one triangle.")
-      .field<&MeshFacts::bad_edges>("bad_edges", "With more than two, or passed twice one way.")
-      .field<&MeshFacts::bad_positions>("bad_positions", "Whose triangles are not one fan.")
-      .field<&MeshFacts::euler_characteristic>("euler_characteristic")
-      .field<&MeshFacts::area>("area")
-      .field<&MeshFacts::volume>("volume", "Inside a closed mesh; positive if oriented outwards.")
+      .field("positions", &MeshFacts::positions)
+      .field("triangles", &MeshFacts::triangles)
+      .field("edges", &MeshFacts::edges)
+      .field("boundary_edges", &MeshFacts::boundary_edges, "With one triangle.")
+      .field("bad_edges", &MeshFacts::bad_edges, "With more than two, or passed twice one way.")
+      .field("bad_positions", &MeshFacts::bad_positions, "Whose triangles are not one fan.")
+      .field("euler_characteristic", &MeshFacts::euler_characteristic)
+      .field("area", &MeshFacts::area)
+      .field("volume", &MeshFacts::volume, "Inside a closed mesh; positive if oriented outwards.")
       .property("is_manifold", &MeshFacts::is_manifold)
-      .property("is_closed", &MeshFacts::is_closed)
-      .done();
+      .property("is_closed", &MeshFacts::is_closed);
   m.def(
       "facts_of", [](const TriangleMesh& mesh) { return unlocked([&] { return facts_of(mesh); }); },
       py::arg("mesh"), "What can be said of a mesh; vertices count by position.");
@@ -186,17 +217,13 @@ void bind_triangle_mesh(py::module_& m) {
 
 void bind_mesh(py::module_& m) {
   bind_triangle_mesh(m);
-  py::class_<SweepMesh>(m, "SweepMesh", "The mesh of a sweep and how far it is from the surface.")
-      .def_readonly("mesh", &SweepMesh::mesh)
-      .def_readonly("deviation", &SweepMesh::deviation,
-                    "No point of the mesh is further from the surface: at most the tolerance.")
-      .def_readonly("rings", &SweepMesh::rings, "Vertices along the motion.")
-      .def_readonly("columns", &SweepMesh::columns, "Vertices round the profile.")
-      .def_readonly("cap_triangles", &SweepMesh::cap_triangles, "The last ones of the mesh.")
-      .def("__repr__", [](const SweepMesh& made) {
-        return "<hodograph.SweepMesh: " + std::to_string(made.mesh.triangles.size()) +
-               " triangles, within " + to_text(made.deviation) + ">";
-      });
+  Record<SweepMesh>(m, "SweepMesh", "The mesh of a sweep and how far it is from the surface.")
+      .field("mesh", &SweepMesh::mesh)
+      .field("deviation", &SweepMesh::deviation,
+             "No point of the mesh is further from the surface: at most the tolerance.")
+      .field("rings", &SweepMesh::rings, "Vertices along the motion.")
+      .field("columns", &SweepMesh::columns, "Vertices round the profile.")
+      .field("cap_triangles", &SweepMesh::cap_triangles, "The last ones of the mesh.");
   m.def(
       "mesh_of",
       [](const Sweep& sweep, double tolerance, std::size_t most_triangles, bool caps) {

@@ -8,26 +8,26 @@
 
 #include "hodograph/path/any_sampling.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/made.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
 namespace {
 
 void bind_geodesy(py::module_& m) {
-  ValueClass<GeodeticPoint> point(m, "GeodeticPoint",
-                                  "A place near the Earth: degrees, and metres above the "
-                                  "ellipsoid WGS 84.");
+  Record<GeodeticPoint> point(m, "GeodeticPoint",
+                              "A place near the Earth: degrees, and metres above the "
+                              "ellipsoid WGS 84.");
   point.def(py::init([](double latitude, double longitude, double altitude) {
               const GeodeticPoint made{latitude, longitude, altitude};
               if (const auto fault = fault_of(made, "the place")) throw Error(*fault);
               return made;
             }),
             py::arg("latitude"), py::arg("longitude"), py::arg("altitude") = 0.0);
-  point.member("latitude", &GeodeticPoint::latitude)
-      .member("longitude", &GeodeticPoint::longitude)
-      .member("altitude", &GeodeticPoint::altitude)
-      .picklable();
+  point.field("latitude", &GeodeticPoint::latitude)
+      .field("longitude", &GeodeticPoint::longitude)
+      .field("altitude", &GeodeticPoint::altitude);
   m.def("has_geodesy", &has_geodesy, "Whether this build can turn metres into degrees.");
   m.attr("lowest_altitude") = lowest_altitude;
   m.attr("highest_altitude") = highest_altitude;
@@ -79,18 +79,16 @@ std::vector<LocalWaypoint> waypoints_of(const Doubles& points,
 }
 
 void bind_missions(py::module_& m) {
-  ValueClass<MissionWaypoint>(m, "MissionWaypoint", "A waypoint on the Earth.")
-      .member("latitude", &MissionWaypoint::latitude, "Degrees.")
-      .member("longitude", &MissionWaypoint::longitude, "Degrees.")
-      .member("height", &MissionWaypoint::height, "Above home, metres.")
-      .member("speed", &MissionWaypoint::speed, "Over ground (m/s), on the way here, or None.")
-      .picklable();
-  ValueClass<Mission>(m, "Mission", "What a mission file holds.")
-      .member("home", &Mission::home)
-      .member("waypoints", &Mission::waypoints)
-      .member("acceptance_radius", &Mission::acceptance_radius,
-              "Within it a waypoint counts as reached, metres; 0: the autopilot's own.")
-      .picklable();
+  Record<MissionWaypoint>(m, "MissionWaypoint", "A waypoint on the Earth.")
+      .field("latitude", &MissionWaypoint::latitude, "Degrees.")
+      .field("longitude", &MissionWaypoint::longitude, "Degrees.")
+      .field("height", &MissionWaypoint::height, "Above home, metres.")
+      .field("speed", &MissionWaypoint::speed, "Over ground (m/s), on the way here, or None.");
+  Record<Mission>(m, "Mission", "What a mission file holds.")
+      .field("home", &Mission::home)
+      .field("waypoints", &Mission::waypoints)
+      .field("acceptance_radius", &Mission::acceptance_radius,
+             "Within it a waypoint counts as reached, metres; 0: the autopilot's own.");
   m.attr("most_waypoints") = most_waypoints;
   m.def(
       "mission",
@@ -140,6 +138,7 @@ void bind_missions(py::module_& m) {
 
 void bind_mission(py::module_& m) {
   bind_geodesy(m);
+  add_equality_of_states(py::type::of<LocalTangentPlane>());
   bind_missions(m);
 }
 

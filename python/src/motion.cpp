@@ -9,6 +9,7 @@
 
 #include "hodograph/planning/swarm/separation.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/made.hpp"
 
 namespace hodograph::python {
 
@@ -112,33 +113,40 @@ void bind_motions(py::module_& m) {
 }
 
 void bind_separation_results(py::module_& m) {
-  ValueClass<Separation>(m, "Separation", "The least distance of two motions.")
-      .member("distance", &Separation::distance, "Contains the minimum over all common times.")
-      .member("time", &Separation::time, "At which at most distance.upper occurs.")
-      .member("time_range", &Separation::time_range,
-              "Contains every time at which the minimum is attained.")
-      .member("first", &Separation::first, "Where the first is then, (3,).")
-      .member("second", &Separation::second, "Where the second is then, (3,).")
-      .member("evaluations", &Separation::evaluations)
-      .picklable();
-  ValueClass<TimeWindow>(m, "TimeWindow", "The times at which two motions are both there.")
-      .member("begin", &TimeWindow::begin)
-      .member("end", &TimeWindow::end)
-      .picklable(TimeWindow{0.0, 0.0});
-  ValueClass<SteppedSeparation>(m, "SteppedSeparation",
-                                "What the distances at times a step apart prove.")
-      .member("sampled", &SteppedSeparation::sampled, "The least of the samples.")
-      .member("time", &SteppedSeparation::time)
-      .member("index", &SteppedSeparation::index, "Of the sample.")
-      .member("distance", &SteppedSeparation::distance, "The minimum's enclosure they prove.")
-      .member("evaluations", &SteppedSeparation::evaluations)
-      .picklable();
-  ValueClass<ClosePassage>(m, "ClosePassage",
-                           "A stretch of time at which two motions are, or may be, too close.")
-      .member("begin", &ClosePassage::begin)
-      .member("end", &ClosePassage::end)
-      .member("certain", &ClosePassage::certain, "At some time within certainly too close.")
-      .picklable(ClosePassage{0.0, 0.0, false});
+  Record<Separation>(m, "Separation", "The least distance of two motions.")
+      .field("distance", &Separation::distance, "Contains the minimum over all common times.")
+      .field("time", &Separation::time, "At which at most distance.upper occurs.")
+      .field("time_range", &Separation::time_range,
+             "Contains every time at which the minimum is attained.")
+      .field("first", &Separation::first, "Where the first is then, (3,).")
+      .field("second", &Separation::second, "Where the second is then, (3,).")
+      .field("evaluations", &Separation::evaluations);
+  Record<TimeWindow>(m, "TimeWindow", "The times at which two motions are both there.",
+                     TimeWindow{0.0, 0.0})
+      .field("begin", &TimeWindow::begin)
+      .field("end", &TimeWindow::end);
+  Record<SteppedSeparation>(m, "SteppedSeparation",
+                            "What the distances at times a step apart prove.")
+      .field("sampled", &SteppedSeparation::sampled, "The least of the samples.")
+      .field("time", &SteppedSeparation::time)
+      .field("index", &SteppedSeparation::index, "Of the sample.")
+      .field("distance", &SteppedSeparation::distance, "The minimum's enclosure they prove.")
+      .field("evaluations", &SteppedSeparation::evaluations);
+  Record<ClosePassage>(m, "ClosePassage",
+                       "A stretch of time at which two motions are, or may be, too close.",
+                       ClosePassage{0.0, 0.0, false})
+      .field("begin", &ClosePassage::begin)
+      .field("end", &ClosePassage::end)
+      .field("certain", &ClosePassage::certain, "At some time within certainly too close.");
+}
+
+/// Throws Error (outside_domain) where heights count by what is no positive, moderate number.
+void require_scale(double vertical_scale) {
+  if (vertical_scale > 0.0 && vertical_scale <= largest_vertical_scale) return;
+  throw Error(Fault{FaultCode::outside_domain,
+                    "the vertical_scale must be positive and at most " +
+                        to_text(largest_vertical_scale) + "; got " + to_text(vertical_scale),
+                    std::nullopt, "vertical_scale", vertical_scale, largest_vertical_scale});
 }
 
 void bind_separations(py::module_& m) {
@@ -169,6 +177,7 @@ void bind_separations(py::module_& m) {
       [](const Motion& a, const Motion& b, double distance, double relative_width,
          double vertical_scale, std::size_t most_evaluations) {
         require_finite({&distance, 1}, "distance");
+        require_scale(vertical_scale);
         return unlocked([&] {
           return separated_by(a.motion, b.motion, distance,
                               {relative_width, vertical_scale, most_evaluations});
@@ -208,6 +217,8 @@ void bind_separations(py::module_& m) {
 
 void bind_timed_motion(py::module_& m) {
   bind_motions(m);
+  add_equality_of_states(py::type::of<Motion>());
+  add_equality_of_states(py::type::of<Flyer>());
   bind_separation_results(m);
   bind_separations(m);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hodograph/planning/swarm/timed_motion.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 

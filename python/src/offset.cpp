@@ -14,19 +14,16 @@ namespace hodograph::python {
 
 void bind_offset(py::module_& m) {
   Record<RationalOffsetPiece>(m, "OffsetPiece", "A piece of an offset, with positive weights.")
-      .field<&RationalOffsetPiece::segment>("segment", "Of the path.")
-      .field<&RationalOffsetPiece::curve>("curve", "Over the path's parameters.")
-      .done();
+      .field("segment", &RationalOffsetPiece::segment, "Of the path.")
+      .field("curve", &RationalOffsetPiece::curve, "Over the path's parameters.");
   Record<OffsetCusp>(m, "OffsetCusp", "Where an offset has a cusp.")
-      .field<&OffsetCusp::xi>("xi")
-      .field<&OffsetCusp::xi_range>("xi_range", "Contains the true parameter.")
-      .field<&OffsetCusp::kind>("kind", "simple: certainly a cusp.")
-      .done();
+      .field("xi", &OffsetCusp::xi)
+      .field("xi_range", &OffsetCusp::xi_range, "Contains the true parameter.")
+      .field("kind", &OffsetCusp::kind, "simple: certainly a cusp.");
   Record<CuspFreeOffsets>(m, "CuspFreeOffsets",
                           "The largest distances to either side whose offsets have no cusp.")
-      .field<&CuspFreeOffsets::right>("right")
-      .field<&CuspFreeOffsets::left>("left")
-      .done();
+      .field("right", &CuspFreeOffsets::right)
+      .field("left", &CuspFreeOffsets::left);
   m.def(
       "rational_offset",
       [](const AnyPath& path, double distance) {

@@ -9,7 +9,7 @@
 #include "hodograph/io/mesh_picture.hpp"
 #include "hodograph/io/svg.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -37,9 +37,9 @@ void bind_enums(py::module_& m) {
 }
 
 void bind_series(py::module_& m) {
-  ValueClass<Series> series(m, "Series",
-                            "One curve of a picture: points (x_i, y_i) in order; one that is not "
-                            "finite makes a gap.");
+  Record<Series> series(m, "Series",
+                        "One curve of a picture: points (x_i, y_i) in order; one that is not "
+                        "finite makes a gap.");
   series.def(py::init([](const Doubles& x, const Doubles& y, const std::string& label,
                          SeriesStyle style, std::optional<PlotColor> color) {
                Series made{label, numbers_of(x, "x"), numbers_of(y, "y"), style, color};
@@ -49,37 +49,39 @@ void bind_series(py::module_& m) {
              py::arg("x"), py::arg("y"), py::kw_only(), py::arg("label") = "",
              py::arg("style") = SeriesStyle::line, py::arg("color") = py::none(),
              "color: the next one unless given.");
-  series.member("x", &Series::x)
-      .member("y", &Series::y)
-      .member("label", &Series::label, "In the legend; empty: not in it.")
-      .member("style", &Series::style)
-      .member("color", &Series::color)
-      .picklable();
-  ValueClass<PlotMark> mark(m, "PlotMark", "A dot with a name.");
+  series.field("x", &Series::x)
+      .field("y", &Series::y)
+      .field("label", &Series::label, "In the legend; empty: not in it.")
+      .field("style", &Series::style)
+      .field("color", &Series::color);
+  Record<PlotMark> mark(m, "PlotMark", "A dot with a name.");
   mark.def(py::init([](const Doubles& at, const std::string& label, PlotColor color) {
              return PlotMark{point_of<Point>(at, "at"), label, color};
            }),
            py::arg("at"), py::arg("label") = "", py::arg("color") = PlotColor::grey);
-  mark.member("at", &PlotMark::at, "(2,).")
-      .member("label", &PlotMark::label)
-      .member("color", &PlotMark::color)
-      .picklable();
-  ValueClass<PlotLevel> level(m, "PlotLevel", "A horizontal line across the picture.");
+  mark.field("at", &PlotMark::at, "(2,).")
+      .field("label", &PlotMark::label)
+      .field("color", &PlotMark::color);
+  Record<PlotLevel> level(m, "PlotLevel", "A horizontal line across the picture.");
   level.def(py::init([](double y, const std::string& label) {
               return PlotLevel{y, label};
             }),
             py::arg("y"), py::arg("label") = "");
-  level.member("y", &PlotLevel::y).member("label", &PlotLevel::label).picklable();
-  ValueClass<PlotAxis> axis(m, "PlotAxis", "An axis of a picture.");
+  level.field("y", &PlotLevel::y).field("label", &PlotLevel::label);
+  Record<PlotAxis> axis(m, "PlotAxis", "An axis of a picture.");
   axis.def(py::init([](const std::string& label, bool logarithmic) {
              return PlotAxis{label, logarithmic};
            }),
            py::arg("label") = "", py::arg("logarithmic") = false);
-  axis.member("label", &PlotAxis::label).member("logarithmic", &PlotAxis::logarithmic).picklable();
+  axis.field("label", &PlotAxis::label).field("logarithmic", &PlotAxis::logarithmic);
 }
 
 void bind_arrows(py::module_& m) {
-  py::class_<Arrows>(m, "Arrows", "Arrows of one colour, for example a vector of a frame.")
+  Record<Arrows> record(m, "Arrows", "Arrows of one colour, for example a vector of a frame.");
+  record.field("label", &Arrows::label)
+      .field("color", &Arrows::color)
+      .field("_from_to", &Arrows::from_to);
+  record
       .def(py::init([](const Doubles& from_points, const Doubles& to_points,
                        const std::string& label, PlotColor color) {
              const auto from = points_of<Point>(from_points, "from_points");
@@ -93,8 +95,6 @@ void bind_arrows(py::module_& m) {
            }),
            py::arg("from_points"), py::arg("to_points"), py::kw_only(), py::arg("label") = "",
            py::arg("color") = PlotColor::vermilion)
-      .def_readonly("label", &Arrows::label)
-      .def_readonly("color", &Arrows::color)
       .def_property_readonly("from_points",
                              [](const Arrows& arrows) {
                                std::vector<Point> points;
@@ -109,8 +109,8 @@ void bind_arrows(py::module_& m) {
 }
 
 void bind_plot(py::module_& m) {
-  ValueClass<Plot> plot(m, "Plot",
-                        "A picture of curves in axes; the ranges follow from what it shows.");
+  Record<Plot> plot(m, "Plot",
+                    "A picture of curves in axes; the ranges follow from what it shows.");
   const Plot usual{};
   plot.def(py::init([](std::vector<Series> series, const std::string& title, const PlotAxis& x,
                        const PlotAxis& y, std::vector<Arrows> arrows, std::vector<PlotMark> marks,
@@ -144,18 +144,18 @@ void bind_plot(py::module_& m) {
            py::arg("equal_aspect") = false, py::arg("clip_outliers") = false,
            py::arg("width") = usual.width, py::arg("height") = usual.height,
            "x_marks: short lines on the lower edge; width, height: pixels of 1/96 inch.");
-  plot.member("title", &Plot::title)
-      .member("x", &Plot::x)
-      .member("y", &Plot::y)
-      .member("series", &Plot::series)
-      .member("arrows", &Plot::arrows)
-      .member("marks", &Plot::marks)
-      .member("levels", &Plot::levels)
-      .member("x_marks", &Plot::x_marks)
-      .member("equal_aspect", &Plot::equal_aspect)
-      .member("clip_outliers", &Plot::clip_outliers)
-      .member("width", &Plot::width)
-      .member("height", &Plot::height);
+  plot.field("title", &Plot::title)
+      .field("x", &Plot::x)
+      .field("y", &Plot::y)
+      .field("series", &Plot::series)
+      .field("arrows", &Plot::arrows)
+      .field("marks", &Plot::marks)
+      .field("levels", &Plot::levels)
+      .field("x_marks", &Plot::x_marks)
+      .field("equal_aspect", &Plot::equal_aspect)
+      .field("clip_outliers", &Plot::clip_outliers)
+      .field("width", &Plot::width)
+      .field("height", &Plot::height);
   m.def(
       "to_svg", [](const Plot& one) { return to_svg(one); }, py::arg("plot"),
       "A whole SVG file of one picture.");
@@ -224,18 +224,19 @@ FramedPolyline framed(const Doubles& points, const std::optional<Doubles>& origi
 }
 
 void bind_framed_polyline(py::module_& m) {
-  py::class_<FramedPolyline>(m, "FramedPolyline",
-                             "A curve in space (or in the plane z = 0) as points, with frames at "
-                             "some of them.")
-      .def(py::init(&framed), py::arg("points"), py::kw_only(),
-           py::arg("frame_origins") = py::none(), py::arg("frames") = py::none(),
-           py::arg("knots") = py::none(), py::arg("closed") = false,
-           "points, frame_origins, knots: (n, 2) or (n, 3); frames: (k, d, d), the axes as "
-           "columns.")
-      .def_readonly("points", &FramedPolyline::points, "(n, 3).")
-      .def_readonly("frame_origins", &FramedPolyline::frame_origins, "(k, 3).")
-      .def_readonly("knots", &FramedPolyline::knots, "Drawn as dots, (m, 3).")
-      .def_readonly("closed", &FramedPolyline::closed);
+  Record<FramedPolyline> curve(m, "FramedPolyline",
+                               "A curve in space (or in the plane z = 0) as points, with frames at "
+                               "some of them.");
+  curve.def(py::init(&framed), py::arg("points"), py::kw_only(),
+            py::arg("frame_origins") = py::none(), py::arg("frames") = py::none(),
+            py::arg("knots") = py::none(), py::arg("closed") = false,
+            "points, frame_origins, knots: (n, 2) or (n, 3); frames: (k, d, d), the axes as "
+            "columns.");
+  curve.field("points", &FramedPolyline::points, "(n, 3).")
+      .field("frame_origins", &FramedPolyline::frame_origins, "(k, 3).")
+      .field("frames", &FramedPolyline::frames, "The axes as columns, (3, 3) each.")
+      .field("knots", &FramedPolyline::knots, "Drawn as dots, (m, 3).")
+      .field("closed", &FramedPolyline::closed);
   m.def("projected", &projected, py::arg("curve"), py::arg("projection"),
         py::arg("length_unit") = "", py::arg("arrow_fraction") = 0.07,
         "A curve seen along one axis, with equal scales.");
@@ -255,15 +256,15 @@ void bind_dxf(py::module_& m) {
   m.def(
       "dxf_unit", [](const std::string& name) { return dxf_unit(name); }, py::arg("name"),
       "The unit that a name means: \"mm\", \"cm\", \"m\", \"km\", \"in\", \"ft\".");
-  py::class_<DxfCurves>(m, "DxfCurves", "Curves on one layer of a drawing.")
-      .def(py::init([](std::vector<RationalBezier> pieces, const std::string& layer, int color) {
-             return DxfCurves{layer, color, std::move(pieces)};
-           }),
-           py::arg("pieces"), py::kw_only(), py::arg("layer") = "", py::arg("color") = 7,
-           "pieces: in sequence; color: of the layer, 1 to 255 in AutoCAD's index.")
-      .def_readonly("layer", &DxfCurves::layer)
-      .def_readonly("color", &DxfCurves::color)
-      .def_readonly("pieces", &DxfCurves::pieces);
+  Record<DxfCurves> record(m, "DxfCurves", "Curves on one layer of a drawing.");
+  record.def(py::init([](std::vector<RationalBezier> pieces, const std::string& layer, int color) {
+               return DxfCurves{layer, color, std::move(pieces)};
+             }),
+             py::arg("pieces"), py::kw_only(), py::arg("layer") = "", py::arg("color") = 7,
+             "pieces: in sequence; color: of the layer, 1 to 255 in AutoCAD's index.");
+  record.field("layer", &DxfCurves::layer)
+      .field("color", &DxfCurves::color)
+      .field("pieces", &DxfCurves::pieces);
   m.def(
       "to_dxf",
       [](const std::vector<DxfCurves>& curves, DxfUnit unit) {

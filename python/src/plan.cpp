@@ -7,7 +7,8 @@
 
 #include "hodograph/planning/tangent_plan.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/made.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -22,8 +23,8 @@ const PlanarPath<2>& quintics(const AnyPath& path) {
 }
 
 void bind_certificates(py::module_& m) {
-  ValueClass<VehicleLimits> limits(m, "VehicleLimits",
-                                   "What a vehicle asks of its path, in the world's lengths.");
+  Record<VehicleLimits> limits(m, "VehicleLimits",
+                               "What a vehicle asks of its path, in the world's lengths.");
   limits
       .def(py::init([](double turn_radius, double clearance, double width) {
              return VehicleLimits{turn_radius, clearance, width};
@@ -32,17 +33,14 @@ void bind_certificates(py::module_& m) {
            py::arg("width") = 0.0)
       .def("distance", &VehicleLimits::distance,
            "How far its middle stays from obstacles and bounds: clearance + width/2.");
-  limits.member("turn_radius", &VehicleLimits::turn_radius, "The least radius of curvature.")
-      .member("clearance", &VehicleLimits::clearance,
-              "The least distance from obstacles and bounds, beyond half the width.")
-      .member("width", &VehicleLimits::width, "Of the vehicle.")
-      .picklable();
-  ValueClass<PlanCertificate> certificate(m, "PlanCertificate",
-                                          "What is proven of a path in a world.");
-  certificate.member("arc_length", &PlanCertificate::arc_length, "Contains the length.")
-      .member("curvature", &PlanCertificate::curvature, "Contains the largest |kappa|.")
-      .member("clearance", &PlanCertificate::clearance)
-      .picklable()
+  limits.field("turn_radius", &VehicleLimits::turn_radius, "The least radius of curvature.")
+      .field("clearance", &VehicleLimits::clearance,
+             "The least distance from obstacles and bounds, beyond half the width.")
+      .field("width", &VehicleLimits::width, "Of the vehicle.");
+  Record<PlanCertificate> certificate(m, "PlanCertificate", "What is proven of a path in a world.");
+  certificate.field("arc_length", &PlanCertificate::arc_length, "Contains the length.")
+      .field("curvature", &PlanCertificate::curvature, "Contains the largest |kappa|.")
+      .field("clearance", &PlanCertificate::clearance)
       .def("proves", &PlanCertificate::proves, py::arg("limits"), py::arg("largest_coordinate"),
            "True where it proves the limits, the clearance up to planning_tolerance of the largest "
            "coordinate.");
@@ -67,22 +65,21 @@ void bind_certificates(py::module_& m) {
 }
 
 void bind_planner(py::module_& m) {
-  ValueClass<CrowdedCorner>(m, "CrowdedCorner", "A corner that had no room.")
-      .member("point", &CrowdedCorner::point, "(2,).")
-      .member("vertex", &CrowdedCorner::vertex)
-      .member("turning_angle", &CrowdedCorner::turning_angle, "Radians, positive to the left.")
-      .member("turn_radius", &CrowdedCorner::turn_radius,
-              "About the largest radius that the lines beside it have room for.")
-      .picklable();
-  ValueClass<Plan>(m, "Plan", "A path that keeps its limits, with the proof.")
-      .member("path", &Plan::path, "Lines and corners in turn, G2; xi is the arc length.")
-      .member("polyline", &Plan::polyline, "What was rounded.")
-      .member("legs", &Plan::legs, "L of every corner.")
-      .member("offsets", &Plan::offsets, "The offset of every corner's vertex.")
-      .member("certificate", &Plan::certificate)
-      .member("attempts", &Plan::attempts, "Polylines tried, this one included.")
-      .member("given_up", &Plan::given_up, "One for every attempt that was given up.")
-      .picklable(Plan{straight(), {}, {}, {}, {}, 0, {}});
+  Record<CrowdedCorner>(m, "CrowdedCorner", "A corner that had no room.")
+      .field("point", &CrowdedCorner::point, "(2,).")
+      .field("vertex", &CrowdedCorner::vertex)
+      .field("turning_angle", &CrowdedCorner::turning_angle, "Radians, positive to the left.")
+      .field("turn_radius", &CrowdedCorner::turn_radius,
+             "About the largest radius that the lines beside it have room for.");
+  Record<Plan>(m, "Plan", "A path that keeps its limits, with the proof.",
+               Plan{straight(), {}, {}, {}, {}, 0, {}})
+      .field("path", &Plan::path, "Lines and corners in turn, G2; xi is the arc length.")
+      .field("polyline", &Plan::polyline, "What was rounded.")
+      .field("legs", &Plan::legs, "L of every corner.")
+      .field("offsets", &Plan::offsets, "The offset of every corner's vertex.")
+      .field("certificate", &Plan::certificate)
+      .field("attempts", &Plan::attempts, "Polylines tried, this one included.")
+      .field("given_up", &Plan::given_up, "One for every attempt that was given up.");
   py::class_<Planner>(m, "Planner", "Plans in one world for one vehicle.")
       .def(py::init([](const World& world, double turn_radius, double clearance, double width) {
              const VehicleLimits limits{turn_radius, clearance, width};
@@ -124,15 +121,15 @@ void bind_planner(py::module_& m) {
 }
 
 void bind_tangent_plans(py::module_& m) {
-  ValueClass<TangentPlan> plan(m, "TangentPlan",
-                               "A path through the points of a polyline with tangents by a rule, "
-                               "and what is certain of it.");
-  plan.member("rule", &TangentPlan::rule)
-      .member("path", &TangentPlan::path)
-      .member("certificate", &TangentPlan::certificate)
-      .member("curvature_jump", &TangentPlan::curvature_jump,
-              "The largest jump of kappa where two pieces meet.")
-      .picklable(TangentPlan{TangentRule::t1, straight(), {}, 0.0})
+  Record<TangentPlan> plan(m, "TangentPlan",
+                           "A path through the points of a polyline with tangents by a rule, "
+                           "and what is certain of it.",
+                           TangentPlan{TangentRule::t1, straight(), {}, 0.0});
+  plan.field("rule", &TangentPlan::rule)
+      .field("path", &TangentPlan::path)
+      .field("certificate", &TangentPlan::certificate)
+      .field("curvature_jump", &TangentPlan::curvature_jump,
+             "The largest jump of kappa where two pieces meet.")
       .def("keeps_radius", &TangentPlan::keeps_radius, py::arg("radius"),
            "Whether the largest |kappa| is at most 1/radius.")
       .def("keeps_distance", &TangentPlan::keeps_distance, py::arg("distance"),
@@ -152,6 +149,7 @@ void bind_tangent_plans(py::module_& m) {
 void bind_plan(py::module_& m) {
   bind_certificates(m);
   bind_planner(m);
+  add_equality_of_states(py::type::of<Planner>());
   bind_tangent_plans(m);
 }
 

@@ -18,9 +18,8 @@ namespace {
 
 void bind_turning(py::module_& m) {
   Record<RotationIndices>(m, "RotationIndices", "The two rotation indices, enclosed, radians.")
-      .field<&RotationIndices::absolute>("absolute", "The integral of |kappa|.")
-      .field<&RotationIndices::with_sign>("with_sign", "The integral of kappa.")
-      .done();
+      .field("absolute", &RotationIndices::absolute, "The integral of |kappa|.")
+      .field("with_sign", &RotationIndices::with_sign, "The integral of kappa.");
   m.def(
       "rotation_index", [](const AnyPath& path) { return rotation_index(path); }, py::arg("path"),
       "The angle by which the tangent of a planar path turns, radians, positive to the left, full "
@@ -58,16 +57,14 @@ void bind_curvature(py::module_& m) {
       .value("maximum", CurvatureExtremeKind::maximum)
       .value("undecided", CurvatureExtremeKind::undecided);
   Record<CurvatureStationaryPoint>(m, "CurvatureStationaryPoint", "A zero of kappa'.")
-      .field<&CurvatureStationaryPoint::xi>("xi")
-      .field<&CurvatureStationaryPoint::xi_range>("xi_range", "Contains the true parameter.")
-      .field<&CurvatureStationaryPoint::curvature>("curvature", "Of every point of xi_range.")
-      .field<&CurvatureStationaryPoint::kind>("kind")
-      .done();
+      .field("xi", &CurvatureStationaryPoint::xi)
+      .field("xi_range", &CurvatureStationaryPoint::xi_range, "Contains the true parameter.")
+      .field("curvature", &CurvatureStationaryPoint::curvature, "Of every point of xi_range.")
+      .field("kind", &CurvatureStationaryPoint::kind);
   Record<Inflection>(m, "Inflection", "Where the curvature of a planar path vanishes.")
-      .field<&Inflection::xi>("xi")
-      .field<&Inflection::xi_range>("xi_range", "Contains the true parameter.")
-      .field<&Inflection::kind>("kind", "simple: the curvature changes its sign there.")
-      .done();
+      .field("xi", &Inflection::xi)
+      .field("xi_range", &Inflection::xi_range, "Contains the true parameter.")
+      .field("kind", &Inflection::kind, "simple: the curvature changes its sign there.");
   m.def(
       "curvature_stationary_points",
       [](const AnyPath& path) {
@@ -93,20 +90,18 @@ void bind_meetings(py::module_& m) {
       .value("crossing", IntersectionKind::crossing, "Exactly one common point.")
       .value("undecided", IntersectionKind::undecided, "Within rounding, anything.");
   Record<PathIntersection>(m, "PathIntersection", "Where two planar paths meet.")
-      .field<&PathIntersection::xi_first>("xi_first")
-      .field<&PathIntersection::xi_second>("xi_second")
-      .field<&PathIntersection::xi_first_range>("xi_first_range")
-      .field<&PathIntersection::xi_second_range>("xi_second_range")
-      .field<&PathIntersection::point>("point", "Of the first path, (2,).")
-      .field<&PathIntersection::kind>("kind")
-      .done();
+      .field("xi_first", &PathIntersection::xi_first)
+      .field("xi_second", &PathIntersection::xi_second)
+      .field("xi_first_range", &PathIntersection::xi_first_range)
+      .field("xi_second_range", &PathIntersection::xi_second_range)
+      .field("point", &PathIntersection::point, "Of the first path, (2,).")
+      .field("kind", &PathIntersection::kind);
   Record<LineIntersection>(m, "LineIntersection", "Where a planar path meets a line.")
-      .field<&LineIntersection::xi>("xi")
-      .field<&LineIntersection::xi_range>("xi_range")
-      .field<&LineIntersection::t>("t", "Contains the place on the line, in units of its vector.")
-      .field<&LineIntersection::point>("point", "(2,).")
-      .field<&LineIntersection::kind>("kind")
-      .done();
+      .field("xi", &LineIntersection::xi)
+      .field("xi_range", &LineIntersection::xi_range)
+      .field("t", &LineIntersection::t, "Contains the place on the line, in units of its vector.")
+      .field("point", &LineIntersection::point, "(2,).")
+      .field("kind", &LineIntersection::kind);
   m.def(
       "intersections",
       [](const AnyPath& first, const AnyPath& second) {
@@ -172,16 +167,14 @@ void bind_nearest(py::module_& m) {
       .value("maximum", StationaryKind::maximum)
       .value("undecided", StationaryKind::undecided);
   Record<Stationary>(m, "StationaryPoint", "Where the distance to a point is stationary.")
-      .field<&Stationary::xi>("xi")
-      .field<&Stationary::xi_range>("xi_range", "Contains the true parameter.")
-      .field<&Stationary::point>("point", "r(xi), (d,).")
-      .field<&Stationary::distance>("distance", "To evaluation accuracy.")
-      .field<&Stationary::kind>("kind")
-      .done();
+      .field("xi", &Stationary::xi)
+      .field("xi_range", &Stationary::xi_range, "Contains the true parameter.")
+      .field("point", &Stationary::point, "r(xi), (d,).")
+      .field("distance", &Stationary::distance, "To evaluation accuracy.")
+      .field("kind", &Stationary::kind);
   Record<Nearest>(m, "NearestPoint", "The nearest point of a path, and the rigorous distance.")
-      .field<&Nearest::at>("at")
-      .field<&Nearest::distance>("distance", "Contains the least distance, rounding included.")
-      .done();
+      .field("at", &Nearest::at)
+      .field("distance", &Nearest::distance, "Contains the least distance, rounding included.");
   m.def(
       "stationary_points",
       [](const AnyPath& path, const Doubles& q) {

@@ -23,23 +23,23 @@ namespace {
 using Point = Vector2<double>;
 
 struct Hermite {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   double rotation_index = 0.0, margin = 0.0;
   TieBreak tie = TieBreak::none;
 };
 struct Solution {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   double rotation_index = 0.0;
 };
 struct OfLength {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   double rotation_index = 0.0, margin = 0.0;
   TieBreak tie = TieBreak::none;
   double unavoidable_rotation = 0.0;
   bool loop_free = true;
 };
 struct Rounded {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   double leg = 0.0;
   CornerShape shape;
 };
@@ -85,34 +85,29 @@ void bind_types(py::module_& m) {
       .value("all", LengthSolutions::all, "Four: also a full turn more or less.");
   m.attr("accuracy_of_rotation_index") = accuracy_of_rotation_index;
   Record<Hermite>(m, "PlanarHermite", "The chosen one of four Hermite interpolants.")
-      .field<&Hermite::curve>("curve", "One quintic on [0, h].")
-      .field<&Hermite::rotation_index>("rotation_index", "The least of the four, radians.")
-      .field<&Hermite::margin>("margin", "By how much the next larger one exceeds it.")
-      .field<&Hermite::tie>("tie")
-      .done();
+      .field("curve", &Hermite::curve, "One quintic on [0, h].")
+      .field("rotation_index", &Hermite::rotation_index, "The least of the four, radians.")
+      .field("margin", &Hermite::margin, "By how much the next larger one exceeds it.")
+      .field("tie", &Hermite::tie);
   Record<Solution>(m, "PlanarSolution", "One of several solutions.")
-      .field<&Solution::curve>("curve")
-      .field<&Solution::rotation_index>("rotation_index", "Radians.")
-      .done();
+      .field("curve", &Solution::curve)
+      .field("rotation_index", &Solution::rotation_index, "Radians.");
   Record<OfLength>(m, "PrescribedLength", "The curve of a length, and how good it is.")
-      .field<&OfLength::curve>("curve", "One quintic on [0, h].")
-      .field<&OfLength::rotation_index>("rotation_index", "The least of the solutions, radians.")
-      .field<&OfLength::margin>("margin", "By how much the next larger one exceeds it.")
-      .field<&OfLength::tie>("tie")
-      .field<&OfLength::unavoidable_rotation>("unavoidable_rotation", "Radians.")
-      .field<&OfLength::loop_free>("loop_free", "No loop that it could do without.")
-      .done();
+      .field("curve", &OfLength::curve, "One quintic on [0, h].")
+      .field("rotation_index", &OfLength::rotation_index, "The least of the solutions, radians.")
+      .field("margin", &OfLength::margin, "By how much the next larger one exceeds it.")
+      .field("tie", &OfLength::tie)
+      .field("unavoidable_rotation", &OfLength::unavoidable_rotation, "Radians.")
+      .field("loop_free", &OfLength::loop_free, "No loop that it could do without.");
   Record<CornerShape>(m, "CornerShape", "The numbers of a rounded corner for a leg of 1.")
-      .field<&CornerShape::turning_angle>("turning_angle", "Radians, positive to the left.")
-      .field<&CornerShape::peak_curvature>("peak_curvature", "|kappa| at the middle.")
-      .field<&CornerShape::arc_length>("arc_length")
-      .field<&CornerShape::deviation>("deviation", "Of the middle from the corner point.")
-      .done();
+      .field("turning_angle", &CornerShape::turning_angle, "Radians, positive to the left.")
+      .field("peak_curvature", &CornerShape::peak_curvature, "|kappa| at the middle.")
+      .field("arc_length", &CornerShape::arc_length)
+      .field("deviation", &CornerShape::deviation, "Of the middle from the corner point.");
   Record<Rounded>(m, "RoundedCorner", "A corner rounded by one quintic.")
-      .field<&Rounded::curve>("curve", "On [0, h].")
-      .field<&Rounded::leg>("leg", "From either end to the corner point.")
-      .field<&Rounded::shape>("shape", "For this leg.")
-      .done();
+      .field("curve", &Rounded::curve, "On [0, h].")
+      .field("leg", &Rounded::leg, "From either end to the corner point.")
+      .field("shape", &Rounded::shape, "For this leg.");
 }
 
 void bind_hermite(py::module_& m) {
@@ -152,8 +147,8 @@ void bind_hermite(py::module_& m) {
         const auto data =
             hermite_data_of_control_points(point_of<Point>(p0, "p0"), point_of<Point>(p1, "p1"),
                                            point_of<Point>(p4, "p4"), point_of<Point>(p5, "p5"), h);
-        return py::make_tuple(rows_of(std::vector<Point>{data[0].position, data[1].position}),
-                              rows_of(std::vector<Point>{data[0].derivative, data[1].derivative}));
+        return std::pair(array_of(std::vector<Point>{data[0].position, data[1].position}),
+                         array_of(std::vector<Point>{data[0].derivative, data[1].derivative}));
       },
       py::arg("p0"), py::arg("p1"), py::arg("p4"), py::arg("p5"), py::kw_only(), py::arg("h") = 1.0,
       "Positions (2, 2) and derivatives (2, 2) at the ends of a quintic with these control "
@@ -276,7 +271,7 @@ void bind_corners(py::module_& m) {
         WaypointOptions options;
         options.rule = rule;
         options.closed = closed;
-        return rows_of(waypoint_tangents(points_of<Point>(points, "points"), options).value());
+        return array_of(waypoint_tangents(points_of<Point>(points, "points"), options).value());
       },
       py::arg("points"), py::kw_only(), py::arg("rule") = TangentRule::t2,
       py::arg("closed") = false, "The unit tangents (n, 2) at waypoints (n, 2) by a rule.");

@@ -7,7 +7,8 @@
 #include "hodograph/planning/corner_sizes.hpp"
 #include "hodograph/planning/shortest_polyline.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/made.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -51,56 +52,47 @@ void bind_polylines(py::module_& m) {
                       "To which side a path turns at a corner; the obstacle is on that side.")
       .value("right", TurnSide::right)
       .value("left", TurnSide::left);
-  ValueClass<CornerOffset> corner_offset(m, "CornerOffset",
-                                         "Another offset at one vertex: its mitre tip moves.");
+  Record<CornerOffset> corner_offset(m, "CornerOffset",
+                                     "Another offset at one vertex: its mitre tip moves.");
   corner_offset.def(py::init([](const WorldVertex& vertex, double offset) {
                       return CornerOffset{vertex, offset};
                     }),
                     py::arg("vertex"), py::arg("offset"));
-  corner_offset.member("vertex", &CornerOffset::vertex)
-      .member("offset", &CornerOffset::offset)
-      .picklable();
-  ValueClass<ObstacleOffset> obstacle_offset(m, "ObstacleOffset",
-                                             "Another offset of a whole obstacle.");
+  corner_offset.field("vertex", &CornerOffset::vertex).field("offset", &CornerOffset::offset);
+  Record<ObstacleOffset> obstacle_offset(m, "ObstacleOffset",
+                                         "Another offset of a whole obstacle.");
   obstacle_offset.def(py::init([](std::uint32_t obstacle, double offset) {
                         return ObstacleOffset{obstacle, offset};
                       }),
                       py::arg("obstacle"), py::arg("offset"));
-  obstacle_offset.member("obstacle", &ObstacleOffset::obstacle)
-      .member("offset", &ObstacleOffset::offset)
-      .picklable();
-  ValueClass<ForbiddenCorner> forbidden_corner(
+  obstacle_offset.field("obstacle", &ObstacleOffset::obstacle)
+      .field("offset", &ObstacleOffset::offset);
+  Record<ForbiddenCorner> forbidden_corner(
       m, "ForbiddenCorner", "A corner not to be turned at, to that side. Passing it is allowed.");
   forbidden_corner.def(py::init([](const WorldVertex& vertex, TurnSide side) {
                          return ForbiddenCorner{vertex, side};
                        }),
                        py::arg("vertex"), py::arg("side"));
-  forbidden_corner.member("vertex", &ForbiddenCorner::vertex)
-      .member("side", &ForbiddenCorner::side)
-      .picklable();
-  ValueClass<ForbiddenLeg> forbidden_leg(
+  forbidden_corner.field("vertex", &ForbiddenCorner::vertex).field("side", &ForbiddenCorner::side);
+  Record<ForbiddenLeg> forbidden_leg(
       m, "ForbiddenLeg",
       "A leg not to be used, in this direction; None stands for the start, or the goal.");
   forbidden_leg.def(py::init([](std::optional<WorldVertex> from, std::optional<WorldVertex> to) {
                       return ForbiddenLeg{from, to};
                     }),
                     py::arg("from_vertex") = py::none(), py::arg("to_vertex") = py::none());
-  forbidden_leg.member("from_vertex", &ForbiddenLeg::from)
-      .member("to_vertex", &ForbiddenLeg::to)
-      .picklable();
+  forbidden_leg.field("from_vertex", &ForbiddenLeg::from).field("to_vertex", &ForbiddenLeg::to);
 
-  ValueClass<PolylineCorner>(m, "PolylineCorner", "A point where a polyline turns.")
-      .member("point", &PolylineCorner::point, "(2,).")
-      .member("vertex", &PolylineCorner::vertex, "Whose mitre tip it is.")
-      .member("side", &PolylineCorner::side)
-      .picklable();
-  ValueClass<Polyline>(m, "Polyline", "A polyline from a start over corners to a goal.")
-      .member("points", &Polyline::points, "Start, corners, goal, (n, 2).")
-      .member("corners", &Polyline::corners, "Strictly turning, in order.")
-      .member("length", &Polyline::length, "Of the legs, summed.")
-      .member("expanded", &Polyline::expanded, "Corners from which the search went on.")
-      .member("visibility_tests", &Polyline::visibility_tests, "Segments that were tested.")
-      .picklable();
+  Record<PolylineCorner>(m, "PolylineCorner", "A point where a polyline turns.")
+      .field("point", &PolylineCorner::point, "(2,).")
+      .field("vertex", &PolylineCorner::vertex, "Whose mitre tip it is.")
+      .field("side", &PolylineCorner::side);
+  Record<Polyline>(m, "Polyline", "A polyline from a start over corners to a goal.")
+      .field("points", &Polyline::points, "Start, corners, goal, (n, 2).")
+      .field("corners", &Polyline::corners, "Strictly turning, in order.")
+      .field("length", &Polyline::length, "Of the legs, summed.")
+      .field("expanded", &Polyline::expanded, "Corners from which the search went on.")
+      .field("visibility_tests", &Polyline::visibility_tests, "Segments that were tested.");
   m.def("shortest_polyline", &polyline_of, py::arg("world"), py::arg("start"), py::arg("goal"),
         py::kw_only(), py::arg("corner_offsets") = std::vector<CornerOffset>{},
         py::arg("obstacle_offsets") = std::vector<ObstacleOffset>{},
@@ -113,20 +105,17 @@ void bind_polylines(py::module_& m) {
 }
 
 void bind_clearance(py::module_& m) {
-  ValueClass<ObstacleClearance>(m, "ObstacleClearance", "How near a path comes to one obstacle.")
-      .member("obstacle", &ObstacleClearance::obstacle, "WorldVertex.bounds for the bounds.")
-      .member("distance", &ObstacleClearance::distance,
-              "Contains the least distance between the path and the solid.")
-      .member("xi", &ObstacleClearance::xi, "Where the path comes as near as distance.upper.")
-      .member("nearest", &ObstacleClearance::nearest,
-              "The nearest point of the obstacle's boundary, (2,).")
-      .picklable();
-  ValueClass<PathClearance> clearance(m, "PathClearance",
-                                      "How near a path comes to the obstacles of a world.");
-  clearance
-      .member("near", &PathClearance::near, "In ascending order of obstacles, the bounds last.")
-      .member("reach", &PathClearance::reach, "Everything that is not in `near` is so far.")
-      .picklable()
+  Record<ObstacleClearance>(m, "ObstacleClearance", "How near a path comes to one obstacle.")
+      .field("obstacle", &ObstacleClearance::obstacle, "WorldVertex.bounds for the bounds.")
+      .field("distance", &ObstacleClearance::distance,
+             "Contains the least distance between the path and the solid.")
+      .field("xi", &ObstacleClearance::xi, "Where the path comes as near as distance.upper.")
+      .field("nearest", &ObstacleClearance::nearest,
+             "The nearest point of the obstacle's boundary, (2,).");
+  Record<PathClearance> clearance(m, "PathClearance",
+                                  "How near a path comes to the obstacles of a world.");
+  clearance.field("near", &PathClearance::near, "In ascending order of obstacles, the bounds last.")
+      .field("reach", &PathClearance::reach, "Everything that is not in `near` is so far.")
       .def("least", &PathClearance::least, "The least distance to any.");
   py::class_<ClearanceIndex>(m, "ClearanceIndex", "The edges of a world, indexed.")
       .def(py::init(
@@ -153,17 +142,16 @@ void bind_corner_sizes(py::module_& m) {
       .value("least_length", CornerAim::least_length, "The path is as short as it can be.")
       .value("least_peak_curvature", CornerAim::least_peak_curvature,
              "The largest curvature is least; of those, the smallest corners.");
-  ValueClass<CornerRoom> room(m, "CornerRoom", "What one corner asks, and what its leg L does.");
+  Record<CornerRoom> room(m, "CornerRoom", "What one corner asks, and what its leg L does.");
   room.def(py::init([](double least, double most, double saving, double peak_curvature) {
              return CornerRoom{least, most, saving, peak_curvature};
            }),
            py::arg("least"), py::arg("most"), py::arg("saving") = 0.0,
            py::arg("peak_curvature") = 0.0);
-  room.member("least", &CornerRoom::least)
-      .member("most", &CornerRoom::most)
-      .member("saving", &CornerRoom::saving, "By how much the path gets shorter for a unit of L.")
-      .member("peak_curvature", &CornerRoom::peak_curvature, "|kappa| at the middle, times L.")
-      .picklable();
+  room.field("least", &CornerRoom::least)
+      .field("most", &CornerRoom::most)
+      .field("saving", &CornerRoom::saving, "By how much the path gets shorter for a unit of L.")
+      .field("peak_curvature", &CornerRoom::peak_curvature, "|kappa| at the middle, times L.");
   m.def(
       "corner_sizes",
       [](const Doubles& lines, const std::vector<CornerRoom>& corners, CornerAim aim) {
@@ -180,6 +168,7 @@ void bind_corner_sizes(py::module_& m) {
 void bind_planning(py::module_& m) {
   bind_polylines(m);
   bind_clearance(m);
+  add_equality_of_states(py::type::of<ClearanceIndex>());
   bind_corner_sizes(m);
 }
 

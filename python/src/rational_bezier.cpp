@@ -69,10 +69,10 @@ void bind_curve(py::module_& m, const char* name, const char* doc) {
       .def_readonly("end", &Curve::end)
       .def_property_readonly("degree", &Curve::degree)
       .def_property_readonly(
-          "control_points", [](const Curve& curve) { return rows_of(curve.control_points); },
+          "control_points", [](const Curve& curve) { return array_of(curve.control_points); },
           "(degree + 1, d).")
       .def_property_readonly(
-          "weights", [](const Curve& curve) { return array_of_numbers(curve.weights); },
+          "weights", [](const Curve& curve) { return array_of(curve.weights); },
           "(degree + 1,), positive.")
       .def(
           "position",
@@ -99,7 +99,7 @@ void bind_curve(py::module_& m, const char* name, const char* doc) {
            })
       .def(py::pickle(
           [](const Curve& curve) {
-            return py::make_tuple(rows_of(curve.control_points), array_of_numbers(curve.weights),
+            return py::make_tuple(array_of(curve.control_points), array_of(curve.weights),
                                   curve.begin, curve.end);
           },
           [](const py::tuple& t) {
@@ -188,7 +188,7 @@ void bind_patch(py::module_& m) {
       .def(
           "derivatives",
           [](const Patch& patch, const Doubles& v, const Doubles& u) {
-            return py::make_tuple(
+            return std::pair(
                 on_patch(v, u, [&](double a, double b) { return patch.derivatives(a, b).along_v; }),
                 on_patch(v, u,
                          [&](double a, double b) { return patch.derivatives(a, b).along_u; }));
@@ -210,6 +210,22 @@ void bind_patch(py::module_& m) {
           py::arg("a"), py::arg("b"), "The part on [a, b] of u, all of v.")
       .def(
           "__eq__", [](const Patch& a, const Patch& b) { return a == b; }, py::is_operator())
+      .def(py::pickle(
+          [](const Patch& p) {
+            return py::make_tuple(p.degree_v, p.degree_u, p.begin_v, p.end_v, p.begin_u, p.end_u,
+                                  array_of(p.weighted), array_of(p.weights));
+          },
+          [](const py::tuple& t) {
+            require_members(t, 8);
+            return Patch{t[0].cast<std::size_t>(),
+                         t[1].cast<std::size_t>(),
+                         t[2].cast<double>(),
+                         t[3].cast<double>(),
+                         t[4].cast<double>(),
+                         t[5].cast<double>(),
+                         points_of<Vector3<double>>(t[6].cast<Doubles>(), "weighted"),
+                         numbers_of(t[7].cast<Doubles>(), "weights")};
+          }))
       .def("__repr__",
            [](const Patch& patch) {
              return "<hodograph.RationalPatch: degrees " + std::to_string(patch.degree_v) +

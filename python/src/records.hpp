@@ -1,178 +1,149 @@
 // SPDX-License-Identifier: MIT
-// Result structs as Python classes: read-only properties, repr, and pickles of those that can be
-// made without arguments.
+// Structs of the library as Python classes, from the list of their members: read-only properties,
+// repr, ==, copies and pickles. What binds results includes this file.
 #pragma once
-
-#include <pybind11/pybind11.h>
 
 #include <algorithm>
 #include <array>
 #include <concepts>
-#include <cstddef>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "hodograph/algebra/preimage_algebra.hpp"
-#include "hodograph/algebra/quaternion.hpp"
 #include "python/src/convert.hpp"
 
 namespace hodograph::python {
 
-template <class T>
-concept PointLike = requires {
-  requires std::same_as<typename T::Scalar, double>;
-  T::dimension;
-};
-
-/// Rows of points as an array of shape (n, dimension).
-template <PointLike Point>
-Doubles rows_of(const std::vector<Point>& points) {
-  constexpr std::size_t d = Point::dimension;
-  Doubles result(Shape{static_cast<py::ssize_t>(points.size()), static_cast<py::ssize_t>(d)});
-  double* to = result.mutable_data();
-  for (const Point& point : points) {
-    for (std::size_t i = 0; i < d; ++i) *to++ = point[i];
-  }
-  return result;
-}
-inline Doubles array_of_numbers(std::span<const double> values) {
-  return Doubles(static_cast<py::ssize_t>(values.size()), values.data());
-}
-/// A frame as a matrix whose columns are its axes, shape (3, 3).
-inline Doubles matrix_of(const Frame3<double>& frame) {
-  Doubles result(Shape{3, 3});
-  double* to = result.mutable_data();
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (const auto* axis : {&frame.e1, &frame.e2, &frame.e3}) *to++ = (*axis)[i];
-  }
-  return result;
-}
-
-/// How members of result structs look in Python, and how they are read back from a pickle.
+/// How a member looks where it is not simply what pybind11 makes of it: numbers are an array (n,).
 template <class M>
-struct Member {
-  static M out(const M& value) { return value; }
-  static M in(py::handle from) { return from.cast<M>(); }
-};
-template <PointLike Point>
-struct Member<Point> {
-  static Doubles out(const Point& value) { return array_of(value); }
-  static Point in(py::handle from) { return point_of<Point>(from.cast<Doubles>(), "state"); }
-};
-template <PointLike Point>
-struct Member<std::vector<Point>> {
-  static Doubles out(const std::vector<Point>& value) { return rows_of(value); }
-  static std::vector<Point> in(py::handle from) {
-    return points_of<Point>(from.cast<Doubles>(), "state");
-  }
+struct Shown {
+  static constexpr bool as_array = false;
 };
 template <>
-struct Member<std::vector<double>> {
-  static Doubles out(const std::vector<double>& value) { return array_of_numbers(value); }
-  static std::vector<double> in(py::handle from) { return from.cast<std::vector<double>>(); }
+struct Shown<std::vector<double>> {
+  static constexpr bool as_array = true;
 };
 template <std::size_t n>
-struct Member<std::array<double, n>> {
-  static Doubles out(const std::array<double, n>& value) { return array_of_numbers(value); }
-  static std::array<double, n> in(py::handle from) { return from.cast<std::array<double, n>>(); }
+struct Shown<std::array<double, n>> {
+  static constexpr bool as_array = true;
 };
 template <std::size_t n>
-struct Member<double[n]> {
-  static Doubles out(const double (&value)[n]) { return array_of_numbers(value); }
-};
-template <>
-struct Member<Frame3<double>> {
-  static Doubles out(const Frame3<double>& value) { return matrix_of(value); }
-  static Frame3<double> in(py::handle from) {
-    const auto matrix = from.cast<Doubles>();
-    if (matrix.ndim() != 2 || matrix.shape(0) != 3 || matrix.shape(1) != 3) {
-      refuse_shape("state", "(3, 3)", matrix);
-    }
-    Frame3<double> frame{};
-    for (py::ssize_t i = 0; i < 3; ++i) {
-      const auto row = static_cast<std::size_t>(i);
-      frame.e1[row] = matrix.at(i, 0);
-      frame.e2[row] = matrix.at(i, 1);
-      frame.e3[row] = matrix.at(i, 2);
-    }
-    return frame;
-  }
+struct Shown<double[n]> {
+  static constexpr bool as_array = true;
 };
 
-/// "Name(first=..., second=...)" from the attributes of these names.
-py::str repr_of(const py::object& self, const std::vector<const char*>& names);
-/// The tuple of these attributes.
-py::tuple state_of(const py::object& self, const std::vector<const char*>& names);
+/// Throws Error (unsupported) where the path is of another kind than P.
+template <class P>
+const P& path_as(const AnyPath& path, const char* kind) {
+  if (const P* found = path.get_if<P>()) return *found;
+  throw Error(Fault{FaultCode::unsupported,
+                    std::string("this is for ") + kind + "; the path is " +
+                        (path.dimension() == 2 ? "planar" : "spatial") + " of degree " +
+                        std::to_string(path.degree()),
+                    std::nullopt, "path", static_cast<double>(path.degree()), std::nullopt});
+}
+
+/// Members as they are read back from a pickle.
+template <class M>
+void assign(M& to, py::handle from) {
+  if constexpr (Shown<M>::as_array) {
+    const auto values = numbers_of(from.cast<Doubles>(), "numbers");
+    if constexpr (std::is_same_v<M, std::vector<double>>) {
+      to = values;
+    } else {
+      if (values.size() != std::size(to))
+        refuse_shape("numbers", std::to_string(std::size(to)), from.cast<Doubles>());
+      std::copy(values.begin(), values.end(), std::begin(to));
+    }
+  } else if constexpr (std::derived_from<M, FloatOrArray>) {
+    to = M(from.cast<Doubles>());
+  } else {
+    to = from.cast<M>();
+  }
+}
+template <PreimageAlgebra A, std::size_t n>
+void assign(Path<A, n>& to, py::handle from) {
+  to = path_as<Path<A, n>>(from.cast<const AnyPath&>(), "a path of one kind");
+}
+
+/// The planar quintic from (0, 0) to (1, 0): what a result with a path holds until it is read.
+AnyPath unit_line();
+
+using MemberNames = std::shared_ptr<std::vector<std::string>>;
+
+/// Adds repr from the named attributes of a value, and copies, which are the value itself.
+void add_value_methods(py::handle type, MemberNames names);
+/// a == b, where arrays and lists and tuples of them are equal if all of their elements are.
+bool equal_values(const py::object& a, const py::object& b);
+/// Whether the named attributes of two values are equal.
+bool equal_members(const py::object& a, const py::object& b, const std::vector<std::string>& names);
+/// The named attributes of a value.
+py::tuple state_of_value(py::handle value, const std::vector<std::string>& names);
 /// Throws Error (mismatched_size) where a pickle holds another number of members.
 void require_members(const py::tuple& state, std::size_t count);
 
-/// Declares a struct's class: Record<T>(m, "T", "...").field<&T::a>("a", "...").done().
+/// Declares a struct's class: Record<T>(m, "T", "...").field("a", &T::a, "..."). Members may be
+/// registered classes, numbers, texts, points, enclosures, paths, optionals and lists of them;
+/// those not listed keep the value that `initial` has when a pickle is read. A name that starts
+/// with an underscore is stored and compared, but not shown.
 template <class T>
-class Record {
-  template <class M>
-  struct TypeOf;
-  template <class M>
-  struct TypeOf<M T::*> {
-    using type = M;
-  };
-
+class Record : public py::class_<T> {
  public:
-  Record(py::module_& m, const char* name, const char* doc) : class_(m, name, doc) {}
+  Record(py::handle scope, const char* name, const char* doc, const T& initial = T{})
+      : py::class_<T>(scope, name, doc) {
+    add_value_methods(*this, names_);
+    this->def(
+        "__eq__",
+        [names = names_](const T& a, const T& b) {
+          if constexpr (std::equality_comparable<T>) {
+            return a == b;
+          } else {
+            return equal_members(py::cast(&a), py::cast(&b), *names);
+          }
+        },
+        py::is_operator());
+    this->attr("__hash__") = py::none();
+    this->def(py::pickle(
+        [names = names_](const py::object& value) { return state_of_value(value, *names); },
+        [setters = setters_, initial](const py::tuple& state) {
+          require_members(state, setters->size());
+          T value = initial;
+          for (std::size_t i = 0; i < setters->size(); ++i) (*setters)[i](value, state[i]);
+          return value;
+        }));
+  }
 
   /// A member, as a property.
-  template <auto member>
-  Record& field(const char* name, const char* doc = "") {
-    using M = typename TypeOf<decltype(member)>::type;
-    class_.def_property_readonly(
-        name, [](const T& self) { return Member<M>::out(self.*member); }, doc);
-    names().push_back(name);
-    if constexpr (std::is_array_v<M>) {
-      setters().push_back([](T& self, py::handle from) {
-        const auto values = from.cast<std::array<double, std::extent_v<M>>>();
-        std::copy(values.begin(), values.end(), std::begin(self.*member));
-      });
-    } else if constexpr (std::default_initializable<T>) {
-      setters().push_back([](T& self, py::handle from) { self.*member = Member<M>::in(from); });
+  template <class M, class Owner>
+    requires std::derived_from<T, Owner>
+  Record& field(const char* name, M Owner::*member, const char* doc = "") {
+    if constexpr (Shown<M>::as_array) {
+      this->def_property_readonly(
+          name,
+          [member](const T& value) { return array_of(std::span<const double>(value.*member)); },
+          doc);
+    } else {
+      this->def_readonly(name, member, doc);
     }
+    names_->emplace_back(name);
+    setters_->push_back([member](T& value, py::handle from) { assign(value.*member, from); });
     return *this;
   }
-  /// What follows from the members, as a property; not part of the repr.
+  /// What follows from the members, as a property; not part of repr and pickle.
   template <class Function>
   Record& property(const char* name, const Function& function, const char* doc = "") {
-    class_.def_property_readonly(name, function, doc);
+    this->def_property_readonly(name, function, doc);
     return *this;
-  }
-
-  py::class_<T> done() {
-    class_.def("__repr__", [](const py::object& self) { return repr_of(self, names()); });
-    if constexpr (std::default_initializable<T>) {
-      class_.def(py::pickle([](const py::object& self) { return state_of(self, names()); },
-                            [](const py::tuple& state) {
-                              require_members(state, setters().size());
-                              T value{};
-                              for (std::size_t i = 0; i < setters().size(); ++i) {
-                                setters()[i](value, state[i]);
-                              }
-                              return value;
-                            }));
-    }
-    return class_;
   }
 
  private:
-  static std::vector<const char*>& names() {
-    static std::vector<const char*> all;
-    return all;
-  }
-  using Setter = void (*)(T&, py::handle);
-  static std::vector<Setter>& setters() {
-    static std::vector<Setter> all;
-    return all;
-  }
-
-  py::class_<T> class_;
+  using Setters = std::vector<std::function<void(T&, py::handle)>>;
+  MemberNames names_ = std::make_shared<std::vector<std::string>>();
+  std::shared_ptr<Setters> setters_ = std::make_shared<Setters>();
 };
 
 }  // namespace hodograph::python

@@ -16,7 +16,7 @@
 #include "hodograph/frame/twist.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/convert.hpp"
-#include "python/src/records.hpp"
+#include "python/src/swept.hpp"
 
 namespace hodograph::python {
 
@@ -133,17 +133,17 @@ void bind_kinds(py::module_& m) {
       .value("series", RollIntegration::series, "Certified series, with a rigorous bound.")
       .value("closed_form", RollIntegration::closed_form, "Partial fractions over segments.");
   Record<FrenetInflection>(m, "FrenetInflection", "Where the principal normal changes sides.")
-      .field<&FrenetInflection::xi>("xi")
-      .field<&FrenetInflection::rounding>("rounding", "How far the true parameter may be.")
-      .done();
+      .field("xi", &FrenetInflection::xi)
+      .field("rounding", &FrenetInflection::rounding, "How far the true parameter may be.");
 }
 
 void bind_class(py::module_& m) {
-  py::class_<FrameRoll>(m, "FrameRoll",
+  made_class<FrameRoll>(m, "FrameRoll",
                         "The roll theta(xi) of an adapted frame against the Euler-Rodrigues frame, "
                         "radians, positive\nfrom e2 to e3. A value; it does not refer to the path.")
       .def_static(
-          "none", [](const AnyPath& path) { return FrameRoll::none(table_of(path)); },
+          "none",
+          [](const AnyPath& path) { return made(FrameRoll::none(table_of(path)), "none", path); },
           py::arg("path"), "The Euler-Rodrigues frame itself: theta = 0.")
       .def_static(
           "linear",
@@ -155,13 +155,13 @@ void bind_class(py::module_& m) {
                                   std::nullopt, "rate", x, std::nullopt});
               }
             }
-            return FrameRoll::linear(table_of(path), begin, rate);
+            return made(FrameRoll::linear(table_of(path), begin, rate), "linear", path, begin,
+                        rate);
           },
           py::arg("path"), py::arg("begin"), py::arg("rate"),
           "theta = begin + rate (xi - xi_begin), radians.")
       .def_property_readonly("kind", &FrameRoll::kind)
-      .def_property_readonly("knots",
-                             [](const FrameRoll& roll) { return array_of_numbers(roll.knots()); })
+      .def_property_readonly("knots", [](const FrameRoll& roll) { return array_of(roll.knots()); })
       .def_property_readonly("segment_count", &FrameRoll::segment_count)
       .def(
           "angle",
@@ -215,9 +215,10 @@ void bind_makers(py::module_& m) {
   m.def(
       "rotation_minimising_roll",
       [](const AnyPath& path, double begin, RollIntegration integration) {
-        return rolled_by(path, [&](const PreimageTable& table) {
+        auto roll = rolled_by(path, [&](const PreimageTable& table) {
           return rotation_minimising_roll(table, begin, integration);
         });
+        return made(std::move(roll), "rotation_minimising_roll", path, begin, integration);
       },
       py::arg("path"), py::arg("begin") = 0.0, py::arg("integration") = RollIntegration::series,
       "The roll without rotation about the tangent, theta(xi_begin) = begin. Raises "
@@ -225,16 +226,18 @@ void bind_makers(py::module_& m) {
   m.def(
       "rotation_minimising_roll_within",
       [](const AnyPath& path, double accuracy, double begin) {
-        return rolled_by(path, [&](const PreimageTable& table) {
+        auto roll = rolled_by(path, [&](const PreimageTable& table) {
           return rotation_minimising_roll_within(table, accuracy, begin);
         });
+        return made(std::move(roll), "rotation_minimising_roll_within", path, accuracy, begin);
       },
       py::arg("path"), py::arg("accuracy"), py::arg("begin") = 0.0,
       "The same, quicker where an accuracy (radians) is enough.");
   m.def(
       "frenet_roll",
       [](const AnyPath& path) {
-        return rolled_by(path, [](const PreimageTable& table) { return frenet_roll(table); });
+        auto roll = rolled_by(path, [](const PreimageTable& table) { return frenet_roll(table); });
+        return made(std::move(roll), "frenet_roll", path);
       },
       py::arg("path"),
       "The roll whose e2 is the principal normal. Raises HodographError: zero_speed, "
@@ -242,16 +245,16 @@ void bind_makers(py::module_& m) {
   m.def(
       "periodic_roll",
       [](const AnyPath& path, double gamma) {
-        return rolled_by(path,
-                         [&](const PreimageTable& table) { return periodic_roll(table, gamma); });
+        auto roll = rolled_by(
+            path, [&](const PreimageTable& table) { return periodic_roll(table, gamma); });
+        return made(std::move(roll), "periodic_roll", path, gamma);
       },
       py::arg("path"), py::arg("gamma"),
       "The periodic rational frame of a closed path, gamma not 0. Raises HodographError: "
       "unsupported,\nnot_continuous, outside_domain, zero_speed.");
   Record<SmoothGammas>(m, "SmoothGammas", "The gammas of periodic frames that are C1 all round.")
-      .field<&SmoothGammas::negative>("negative")
-      .field<&SmoothGammas::positive>("positive")
-      .done();
+      .field("negative", &SmoothGammas::negative)
+      .field("positive", &SmoothGammas::positive);
   m.def(
       "smooth_periodic_gammas",
       [](const AnyPath& path) {
@@ -260,10 +263,9 @@ void bind_makers(py::module_& m) {
       },
       py::arg("path"), "The two gammas whose periodic frames are C1 at the closing knot as well.");
   Record<LeastTwistGamma>(m, "LeastTwistGamma", "The periodic frame of least absolute twist.")
-      .field<&LeastTwistGamma::gamma>("gamma")
-      .field<&LeastTwistGamma::absolute_twist>("absolute_twist", "Radians.")
-      .field<&LeastTwistGamma::plateau>("plateau", "Whether a whole interval of gammas has it.")
-      .done();
+      .field("gamma", &LeastTwistGamma::gamma)
+      .field("absolute_twist", &LeastTwistGamma::absolute_twist, "Radians.")
+      .field("plateau", &LeastTwistGamma::plateau, "Whether a whole interval of gammas has it.");
   m.def(
       "least_twist_gamma",
       [](const AnyPath& path) {
@@ -273,8 +275,9 @@ void bind_makers(py::module_& m) {
   m.def(
       "least_twist_roll",
       [](const AnyPath& path, double begin, std::optional<double> end) {
-        return rolled_by(
+        auto roll = rolled_by(
             path, [&](const PreimageTable& table) { return least_twist_roll(table, begin, end); });
+        return made(std::move(roll), "least_twist_roll", path, begin, end);
       },
       py::arg("path"), py::arg("begin") = 0.0, py::arg("end") = py::none(),
       "Rotation-minimising but for a rotation that is even over the arc length: it returns to "
@@ -297,22 +300,28 @@ void bind_frames(py::module_& m) {
         "The rotation-minimising frames at increasing xi, (..., 3, 3), to an accuracy in radians: "
         "quicker than a\nroll where frames are few. Raises HodographError: outside_domain, "
         "zero_speed, tolerance_not_reached.");
-  py::class_<RolledFrames>(m, "RolledFrames", "The frames of a path under a roll, in batches.")
-      .def(py::init([](const AnyPath& path, const FrameRoll& roll) {
-             return unlocked([&] { return RolledFrames(table_of(path), roll); });
+  made_class<RolledFrames>(m, "RolledFrames", "The frames of a path under a roll, in batches.")
+      .def(py::init([](const AnyPath& path, const Made<FrameRoll>& roll) {
+             auto frames = unlocked([&] { return RolledFrames(table_of(path), roll); });
+             return made(std::move(frames), "", path, roll);
            }),
            py::arg("path"), py::arg("roll"))
-      .def("at", &frames_at, py::arg("xi"),
-           "The frames as matrices with the axes e1 (the tangent), e2, e3 as columns, shape (..., "
-           "3, 3).\nRaises HodographError: outside_domain, zero_speed.");
+      .def(
+          "at",
+          [](const Made<RolledFrames>& self, const Doubles& xi) { return frames_at(self, xi); },
+          py::arg("xi"),
+          "The frames as matrices with the axes e1 (the tangent), e2, e3 as columns, shape (..., "
+          "3, 3).\nRaises HodographError: outside_domain, zero_speed.")
+      .def("__repr__", [](const Made<RolledFrames>& self) {
+        return "<hodograph.RolledFrames: of " + std::string(py::repr(self.of[1])) + ">";
+      });
   Record<RolledStates>(m, "RolledState", "A rolled frame at one parameter or at many.")
-      .field<&RolledStates::rotation>("rotation", "Unit quaternions (w, x, y, z), (..., 4).")
-      .field<&RolledStates::frame>("frame", "The axes as columns, (..., 3, 3).")
-      .field<&RolledStates::body_rate_per_xi>("body_rate_per_xi",
-                                              "Angular velocity of this frame, (..., 3).")
-      .field<&RolledStates::roll>("roll", "theta, radians.")
-      .field<&RolledStates::speed>("speed")
-      .done();
+      .field("rotation", &RolledStates::rotation, "Unit quaternions (w, x, y, z), (..., 4).")
+      .field("frame", &RolledStates::frame, "The axes as columns, (..., 3, 3).")
+      .field("body_rate_per_xi", &RolledStates::body_rate_per_xi,
+             "Angular velocity of this frame, (..., 3).")
+      .field("roll", &RolledStates::roll, "theta, radians.")
+      .field("speed", &RolledStates::speed);
   m.def("rolled_state", &states, py::arg("path"), py::arg("roll"), py::arg("xi"),
         "The rolled frame as a rotation and as axes, with its angular velocity, at xi.");
   m.def(
@@ -326,14 +335,12 @@ void bind_frames(py::module_& m) {
 
 void bind_twist(py::module_& m) {
   Record<TwistInflection>(m, "TwistInflection", "Where a frame's rotation about the tangent stops.")
-      .field<&TwistInflection::xi>("xi")
-      .field<&TwistInflection::kind>("kind", "simple: it certainly changes its sense there.")
-      .done();
+      .field("xi", &TwistInflection::xi)
+      .field("kind", &TwistInflection::kind, "simple: it certainly changes its sense there.");
   Record<FrameTwist>(m, "FrameTwist", "How much a frame rotates about its tangent, radians.")
-      .field<&FrameTwist::total>("total")
-      .field<&FrameTwist::absolute>("absolute")
-      .field<&FrameTwist::inflections>("inflections")
-      .done();
+      .field("total", &FrameTwist::total)
+      .field("absolute", &FrameTwist::absolute)
+      .field("inflections", &FrameTwist::inflections);
   m.def(
       "frame_twist",
       [](const AnyPath& path, const FrameRoll& roll) {
@@ -343,9 +350,8 @@ void bind_twist(py::module_& m) {
       py::arg("path"), py::arg("roll"),
       "The twist and the absolute twist of the frame with this roll, enclosed.");
   Record<ClosedFormTwist>(m, "ClosedFormTwist", "A twist in closed form with an estimated error.")
-      .field<&ClosedFormTwist::value>("value")
-      .field<&ClosedFormTwist::error>("error")
-      .done();
+      .field("value", &ClosedFormTwist::value)
+      .field("error", &ClosedFormTwist::error);
   m.def(
       "erf_twist_in_closed_form",
       [](const AnyPath& path) { return erf_twist_in_closed_form(table_of(path)); }, py::arg("path"),

@@ -21,7 +21,7 @@ namespace {
 
 template <class Parameters>
 Doubles made_by(const Parameters& parameters) {
-  return array_of_numbers(unlocked([&] { return parameters().value(); }));
+  return array_of(unlocked([&] { return parameters().value(); }));
 }
 
 void bind_parameters(py::module_& m) {
@@ -116,14 +116,13 @@ void bind_lift(py::module_& m) {
       "climb angle:\none number, or one a segment. Raises HodographError: mismatched_size, "
       "not_finite, unsupported.");
   Record<HelicalPlan>(m, "HelicalDecomposition", "A helical curve as the lifting of a planar one.")
-      .field<&HelicalPlan::axis>("axis")
-      .field<&HelicalPlan::sine>("sine", "Of the climb angle.")
-      .field<&HelicalPlan::cosine>("cosine")
-      .field<&HelicalPlan::upright>("upright", "The unit quaternion that turns the axis upright.")
-      .field<&HelicalPlan::plan>("plan", "Bernstein coefficients of the plan's preimage, (n, 2).")
-      .field<&HelicalPlan::roll>("roll", "Against the level frame, radians.")
-      .field<&HelicalPlan::residual>("residual")
-      .done();
+      .field("axis", &HelicalPlan::axis)
+      .field("sine", &HelicalPlan::sine, "Of the climb angle.")
+      .field("cosine", &HelicalPlan::cosine)
+      .field("upright", &HelicalPlan::upright, "The unit quaternion that turns the axis upright.")
+      .field("plan", &HelicalPlan::plan, "Bernstein coefficients of the plan's preimage, (n, 2).")
+      .field("roll", &HelicalPlan::roll, "Against the level frame, radians.")
+      .field("residual", &HelicalPlan::residual);
   m.def(
       "helical_decomposition",
       [](const AnyPath& path, std::size_t segment, const Doubles& axis) {

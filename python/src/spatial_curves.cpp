@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -14,7 +15,15 @@
 #include "python/src/bindings.hpp"
 #include "python/src/convert.hpp"
 #include "python/src/curves.hpp"
-#include "python/src/records.hpp"
+#include "python/src/made.hpp"
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<hodograph::InterpolatingSpline<5>>
+    : hodograph_made_caster<hodograph::InterpolatingSpline<5>> {};
+
+}  // namespace pybind11::detail
 
 namespace hodograph::python {
 
@@ -136,13 +145,14 @@ void bind_spline(py::module_& m) {
   py::enum_<SplineEnds>(m, "SplineEnds", "How a spline behaves at its ends.")
       .value("not_a_knot", SplineEnds::not_a_knot)
       .value("periodic", SplineEnds::periodic);
-  py::class_<Spline>(m, "InterpolatingSpline",
+  made_class<Spline>(m, "InterpolatingSpline",
                      "The C4 quintic spline through samples in space: what fit() makes of them.")
       .def(py::init([](const Doubles& parameters, const Doubles& points, SplineEnds ends) {
              if (parameters.ndim() != 1) refuse_shape("parameters", "(n,)", parameters);
              const auto samples = points_of<Vector3<double>>(points, "points");
              const auto at = numbers(parameters);
-             return unlocked([&] { return Spline::through(at, samples, ends).value(); });
+             auto spline = unlocked([&] { return Spline::through(at, samples, ends).value(); });
+             return made(std::move(spline), "", parameters, points, ends);
            }),
            py::arg("parameters"), py::arg("points"), py::arg("ends") = SplineEnds::not_a_knot,
            "Through points (n, 3) at parameters (n,). Raises HodographError: mismatched_size, "
@@ -152,18 +162,16 @@ void bind_spline(py::module_& m) {
       .def_property_readonly("begin", &Spline::begin)
       .def_property_readonly("end", &Spline::end)
       .def_property_readonly("is_periodic", &Spline::is_periodic)
-      .def_property_readonly(
-          "breakpoints",
-          [](const Spline& spline) { return array_of_numbers(spline.breakpoints()); })
+      .def_property_readonly("breakpoints",
+                             [](const Spline& spline) { return array_of(spline.breakpoints()); })
       .def("__repr__", [](const Spline& spline) {
         return "<hodograph.InterpolatingSpline: " + std::to_string(spline.pieces().size()) +
                " pieces, from " + to_text(spline.begin()) + " to " + to_text(spline.end()) + ">";
       });
   Record<ErrorBound>(m, "ErrorBound", "How far a path is from a curve.")
-      .field<&ErrorBound::error>("error", "Contains the largest distance, if certified.")
-      .field<&ErrorBound::certified>("certified")
-      .field<&ErrorBound::at_xi>("at_xi", "Where the distance is at least error.lower.")
-      .done();
+      .field("error", &ErrorBound::error, "Contains the largest distance, if certified.")
+      .field("certified", &ErrorBound::certified)
+      .field("at_xi", &ErrorBound::at_xi, "Where the distance is at least error.lower.");
   m.def(
       "spline_error", &error_of, py::arg("spline"), py::arg("path"),
       "The certified distance of a path in space of degree 17 from a spline, over the whole path. "
@@ -171,8 +179,11 @@ void bind_spline(py::module_& m) {
 }
 
 /// Many problems: preimages (n, 3, 2), rotation indices and margins (n,).
-py::tuple many_lengths(const Doubles& begins, const Doubles& begin_directions, const Doubles& ends,
-                       const Doubles& end_directions, const Doubles& lengths, double h) {
+std::tuple<Doubles, Doubles, Doubles> many_lengths(const Doubles& begins,
+                                                   const Doubles& begin_directions,
+                                                   const Doubles& ends,
+                                                   const Doubles& end_directions,
+                                                   const Doubles& lengths, double h) {
   using Point = Vector2<double>;
   const auto from = points_of<Point>(begins, "begins");
   const auto leaving = points_of<Point>(begin_directions, "begin_directions");
@@ -208,7 +219,7 @@ py::tuple many_lengths(const Doubles& begins, const Doubles& begin_directions, c
     indices.mutable_data()[i] = answers[i].rotation_index;
     margins.mutable_data()[i] = answers[i].margin;
   }
-  return py::make_tuple(preimages, indices, margins);
+  return {preimages, indices, margins};
 }
 
 }  // namespace

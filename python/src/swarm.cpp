@@ -9,7 +9,16 @@
 
 #include "hodograph/planning/swarm/deconfliction.hpp"
 #include "python/src/bindings.hpp"
+#include "python/src/made.hpp"
 #include "python/src/motion.hpp"
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<hodograph::SeparationMatrix>
+    : hodograph_made_caster<hodograph::SeparationMatrix> {};
+
+}  // namespace pybind11::detail
 
 namespace hodograph::python {
 
@@ -121,25 +130,22 @@ std::optional<SeparationMatrix::Entry> entry_of(const SeparationMatrix& matrix,
 }
 
 void bind_pair_results(py::module_& m) {
-  ValueClass<ClosePair>(m, "ClosePair",
-                        "Two vehicles, by their numbers, that do not keep the distance required.")
-      .member("first", &ClosePair::first)
-      .member("second", &ClosePair::second)
-      .member("required", &ClosePair::required, "The sum of the radii and the clearance.")
-      .member("keeps", &ClosePair::keeps, "Answer.no, or undecided within the goal's width.")
-      .picklable();
-  ValueClass<Conflict> conflict(m, "Conflict", "A close pair with its least distance.");
-  conflict.member("pair", &Conflict::pair)
-      .member("separation", &Conflict::separation)
-      .member("passages", &Conflict::passages, "When they are too close.")
-      .picklable()
+  Record<ClosePair>(m, "ClosePair",
+                    "Two vehicles, by their numbers, that do not keep the distance required.")
+      .field("first", &ClosePair::first)
+      .field("second", &ClosePair::second)
+      .field("required", &ClosePair::required, "The sum of the radii and the clearance.")
+      .field("keeps", &ClosePair::keeps, "Answer.no, or undecided within the goal's width.");
+  Record<Conflict> conflict(m, "Conflict", "A close pair with its least distance.");
+  conflict.field("pair", &Conflict::pair)
+      .field("separation", &Conflict::separation)
+      .field("passages", &Conflict::passages, "When they are too close.")
       .def("shortfall", &Conflict::shortfall, "Bounds of required - distance.");
-  py::class_<SeparationMatrix> matrix(m, "SeparationMatrix",
-                                      "The least distances of all pairs, centre to centre.");
-  ValueClass<SeparationMatrix::Entry>(matrix, "Entry", "The least distance of one pair.")
-      .member("distance", &SeparationMatrix::Entry::distance)
-      .member("time", &SeparationMatrix::Entry::time)
-      .picklable();
+  auto matrix = made_class<SeparationMatrix>(m, "SeparationMatrix",
+                                             "The least distances of all pairs, centre to centre.");
+  Record<SeparationMatrix::Entry>(matrix, "Entry", "The least distance of one pair.")
+      .field("distance", &SeparationMatrix::Entry::distance)
+      .field("time", &SeparationMatrix::Entry::time);
   matrix.def_property_readonly("size", &SeparationMatrix::size, "The number of vehicles.")
       .def_property_readonly(
           "lower", [](const SeparationMatrix& self) { return matrix_of(self, true); },
@@ -153,10 +159,9 @@ void bind_pair_results(py::module_& m) {
       .def("__repr__", [](const SeparationMatrix& self) {
         return "<hodograph.SeparationMatrix: " + std::to_string(self.size()) + " vehicles>";
       });
-  ValueClass<DeconflictionEffort>(m, "DeconflictionEffort", "What a search did.")
-      .member("choices", &DeconflictionEffort::choices)
-      .member("pairs_checked", &DeconflictionEffort::pairs_checked)
-      .picklable();
+  Record<DeconflictionEffort>(m, "DeconflictionEffort", "What a search did.")
+      .field("choices", &DeconflictionEffort::choices)
+      .field("pairs_checked", &DeconflictionEffort::pairs_checked);
 }
 
 void bind_arriving(py::module_& m) {
@@ -190,30 +195,26 @@ void bind_arriving(py::module_& m) {
            })
       .def(py::pickle(&state_of, &arriving_of_state));
   const PlanarPath<2> line = *unit_line().get_if<PlanarPath<2>>();
-  ValueClass<ArrivingPath>(m, "ArrivingPath", "A vehicle's path.")
-      .member("path", &ArrivingPath::path, "Over xi in [0, length].")
-      .member("departure", &ArrivingPath::departure)
-      .member("solution", &ArrivingPath::solution,
-              "Of the formal solutions by increasing rotation index.")
-      .member("rotation_index", &ArrivingPath::rotation_index)
-      .member("largest_curvature", &ArrivingPath::largest_curvature, "Of |kappa|, enclosed.")
-      .picklable(ArrivingPath{line, 0.0, 0, 0.0, {}});
-  ValueClass<Arrival>(m, "SimultaneousArrival",
-                      "Paths of vehicles that arrive together, and the same as a swarm.")
-      .member("arrival", &Arrival::arrival)
-      .member("paths", &Arrival::paths)
-      .member("vehicles", &Arrival::vehicles)
-      .picklable();
-  ValueClass<ApartArrival>(m, "SeparatedArrival", "An arrival whose vehicles are certainly apart.")
-      .member("plan", &ApartArrival::plan)
-      .member("delays", &ApartArrival::delays, "Of the departures given, (n,).")
-      .member("effort", &ApartArrival::effort)
-      .picklable();
-  ValueClass<Delayed>(m, "DelayedSwarm", "Vehicles with delays, all pairs certainly apart.")
-      .member("vehicles", &Delayed::vehicles)
-      .member("delays", &Delayed::delays, "(n,).")
-      .member("effort", &Delayed::effort)
-      .picklable();
+  Record<ArrivingPath>(m, "ArrivingPath", "A vehicle's path.", ArrivingPath{line, 0.0, 0, 0.0, {}})
+      .field("path", &ArrivingPath::path, "Over xi in [0, length].")
+      .field("departure", &ArrivingPath::departure)
+      .field("solution", &ArrivingPath::solution,
+             "Of the formal solutions by increasing rotation index.")
+      .field("rotation_index", &ArrivingPath::rotation_index)
+      .field("largest_curvature", &ArrivingPath::largest_curvature, "Of |kappa|, enclosed.");
+  Record<Arrival>(m, "SimultaneousArrival",
+                  "Paths of vehicles that arrive together, and the same as a swarm.")
+      .field("arrival", &Arrival::arrival)
+      .field("paths", &Arrival::paths)
+      .field("vehicles", &Arrival::vehicles);
+  Record<ApartArrival>(m, "SeparatedArrival", "An arrival whose vehicles are certainly apart.")
+      .field("plan", &ApartArrival::plan)
+      .field("delays", &ApartArrival::delays, "Of the departures given, (n,).")
+      .field("effort", &ApartArrival::effort);
+  Record<Delayed>(m, "DelayedSwarm", "Vehicles with delays, all pairs certainly apart.")
+      .field("vehicles", &Delayed::vehicles)
+      .field("delays", &Delayed::delays, "(n,).")
+      .field("effort", &Delayed::effort);
 }
 
 const SwarmGoal usual_goal{};
@@ -254,7 +255,15 @@ void bind_pairs(py::module_& m) {
          double vertical_scale, std::size_t most_evaluations) {
         const auto goal =
             goal_of(clearance, threads, relative_width, vertical_scale, most_evaluations);
-        return unlocked([&] { return separation_matrix(vehicles_of(vehicles), goal).value(); });
+        auto matrix =
+            unlocked([&] { return separation_matrix(vehicles_of(vehicles), goal).value(); });
+        py::dict named;
+        named["clearance"] = clearance;
+        named["threads"] = threads;
+        named["relative_width"] = relative_width;
+        named["vertical_scale"] = vertical_scale;
+        named["most_evaluations"] = most_evaluations;
+        return made(std::move(matrix), "separation_matrix", vehicles, named);
       },
       py::arg("vehicles"), py::kw_only(), HODOGRAPH_SWARM_GOAL,
       "Every pair's least distance to the goal's width.");
@@ -386,6 +395,7 @@ void bind_deconfliction(py::module_& m) {
 void bind_swarm(py::module_& m) {
   bind_pair_results(m);
   bind_arriving(m);
+  add_equality_of_states(py::type::of<ArrivingVehicle>());
   bind_pairs(m);
   bind_arrivals(m);
   bind_deconfliction(m);

@@ -12,19 +12,9 @@
 #include "hodograph/surface/sweep_contact.hpp"
 #include "python/src/bindings.hpp"
 #include "python/src/convert.hpp"
-#include "python/src/records.hpp"
+#include "python/src/swept.hpp"
 
 namespace hodograph::python {
-
-template <class V>
-struct Member<DynamicPolynomial<V>> {
-  static Doubles out(const DynamicPolynomial<V>& f) {
-    return Member<std::vector<V>>::out(f.coefficients());
-  }
-  static DynamicPolynomial<V> in(py::handle from) {
-    return DynamicPolynomial<V>(Member<std::vector<V>>::in(from));
-  }
-};
 
 namespace {
 
@@ -33,25 +23,29 @@ void bind_profile(py::module_& m) {
                                   "Whether a profile that touches or crosses itself is refused.")
       .value("refuse", Profile::SelfContact::refuse)
       .value("allow", Profile::SelfContact::allow);
-  py::class_<Profile>(m, "Profile",
+  made_class<Profile>(m, "Profile",
                       "The curve that a sweep carries: (x, y) along e2 and e3 of the frame; closed "
                       "for tubes, open for\nribbons.")
       .def_static(
-          "circle", [](double radius) { return Profile::circle(radius).value(); },
+          "circle",
+          [](double radius) { return made(Profile::circle(radius).value(), "circle", radius); },
           py::arg("radius"), "The circle about the path. Raises HodographError: outside_domain.")
       .def_static(
-          "ellipse", [](double a, double b) { return Profile::ellipse(a, b).value(); },
+          "ellipse",
+          [](double a, double b) { return made(Profile::ellipse(a, b).value(), "ellipse", a, b); },
           py::arg("a"), py::arg("b"), "Half axes a along e2 and b along e3.")
       .def_static(
           "polygon",
           [](const Doubles& corners) {
-            return Profile::polygon(points_of<Vector2<double>>(corners, "corners")).value();
+            return made(Profile::polygon(points_of<Vector2<double>>(corners, "corners")).value(),
+                        "polygon", corners);
           },
           py::arg("corners"), "The closed polygon with these corners, (n, 2).")
       .def_static(
           "polyline",
           [](const Doubles& points) {
-            return Profile::polyline(points_of<Vector2<double>>(points, "points")).value();
+            return made(Profile::polyline(points_of<Vector2<double>>(points, "points")).value(),
+                        "polyline", points);
           },
           py::arg("points"),
           "The open polyline through points (n, 2): a ribbon. Its first coordinate is along e2, to "
@@ -59,24 +53,29 @@ void bind_profile(py::module_& m) {
       .def_static(
           "of",
           [](const AnyPath& path, Profile::SelfContact contact) {
-            return unlocked([&] { return Profile::of(path, contact).value(); });
+            auto profile = unlocked([&] { return Profile::of(path, contact).value(); });
+            return made(std::move(profile), "of", path, contact);
           },
           py::arg("path"), py::arg("contact") = Profile::SelfContact::refuse,
           "A planar path as a profile, closed as the path is.")
       .def_static(
           "of",
-          [](std::vector<RationalBezier> pieces, bool closed, Profile::SelfContact contact) {
-            return Profile::of(std::move(pieces), closed, contact).value();
+          [](const std::vector<RationalBezier>& pieces, bool closed, Profile::SelfContact contact) {
+            return made(Profile::of(pieces, closed, contact).value(), "of", pieces, closed,
+                        contact);
           },
           py::arg("pieces"), py::arg("closed"), py::arg("contact") = Profile::SelfContact::refuse,
           "Rational curves in sequence.")
       .def_static(
-          "in_space", [](const AnyPath& path) { return Profile::in_space(path).value(); },
+          "in_space",
+          [](const AnyPath& path) {
+            return made(Profile::in_space(path).value(), "in_space", path);
+          },
           py::arg("path"), "A path in space, by components along e1, e2, e3: for tubular families.")
       .def_static(
           "in_space",
-          [](std::vector<SpatialRationalBezier> pieces, bool closed) {
-            return Profile::in_space(std::move(pieces), closed).value();
+          [](const std::vector<SpatialRationalBezier>& pieces, bool closed) {
+            return made(Profile::in_space(pieces, closed).value(), "in_space", pieces, closed);
           },
           py::arg("pieces"), py::arg("closed"), "Rational curves in space in sequence.")
       .def_property_readonly("pieces", &Profile::pieces, "The exact curves, x along e1.")
@@ -111,12 +110,6 @@ void require_unit(double v, const char* name) {
                     std::nullopt, name, v, v < 0.0 ? 0.0 : 1.0});
 }
 
-std::vector<double> list_of(const Doubles& array, const char* name) {
-  if (array.ndim() != 1) refuse_shape(name, "(n,)", array);
-  const auto all = numbers(array);
-  return {all.begin(), all.end()};
-}
-
 template <class Point>
 DynamicPolynomial<Point> polynomial_of(const Doubles& array, const char* name) {
   auto points = points_of<Point>(array, name);
@@ -129,53 +122,55 @@ void bind_motion(py::module_& m) {
       .value("euler_rodrigues", MotionFrame::euler_rodrigues)
       .value("closing", MotionFrame::closing, "Turned so that it returns on a closed path.");
   Record<MotionPiece>(m, "MotionPiece", "A piece of a motion; Bernstein coefficients on [0, 1].")
-      .field<&MotionPiece::begin>("begin")
-      .field<&MotionPiece::end>("end")
-      .field<&MotionPiece::start>("start", "c = start + displacement, (3,).")
-      .field<&MotionPiece::displacement>("displacement", "(m, 3).")
-      .field<&MotionPiece::preimage>("preimage", "(k, 4).")
-      .field<&MotionPiece::scale>("scale", "(j,).")
-      .done();
+      .field("begin", &MotionPiece::begin)
+      .field("end", &MotionPiece::end)
+      .field("start", &MotionPiece::start, "c = start + displacement, (3,).")
+      .field("displacement", &MotionPiece::displacement, "(m, 3).")
+      .field("preimage", &MotionPiece::preimage, "(k, 4).")
+      .field("scale", &MotionPiece::scale, "(j,).");
   Record<MotionState>(m, "MotionState", "Where a motion is, per unit of the local parameter.")
-      .field<&MotionState::position>("position")
-      .field<&MotionState::velocity>("velocity")
-      .field<&MotionState::frame>("frame", "The axes as columns, (3, 3).")
-      .field<&MotionState::body_rate>("body_rate")
-      .field<&MotionState::scale>("scale")
-      .field<&MotionState::scale_rate>("scale_rate")
-      .done();
+      .field("position", &MotionState::position)
+      .field("velocity", &MotionState::velocity)
+      .field("frame", &MotionState::frame, "The axes as columns, (3, 3).")
+      .field("body_rate", &MotionState::body_rate)
+      .field("scale", &MotionState::scale)
+      .field("scale_rate", &MotionState::scale_rate);
   const auto one = [] {
     Doubles scale(1);
     *scale.mutable_data() = 1.0;
     return scale;
   };
-  py::class_<Motion>(m, "Motion", "What carries a profile: places, frames and a scale.")
+  made_class<Motion>(m, "Motion", "What carries a profile: places, frames and a scale.")
       .def_static(
           "along",
           [](const AnyPath& path, MotionFrame frame, const Doubles& scale) {
-            const auto factors = list_of(scale, "scale");
-            return unlocked([&] { return Motion::along(path, frame, factors).value(); });
+            const auto factors = numbers_of(scale, "scale");
+            auto motion = unlocked([&] { return Motion::along(path, frame, factors).value(); });
+            return made(std::move(motion), "along", path, frame, scale);
           },
           py::arg("path"), py::arg("frame") = MotionFrame::closing, py::arg("scale") = one(),
           "Along a path; scale: Bernstein coefficients of the profile's size over the whole of it. "
           "Raises\nHodographError: outside_domain, not_continuous, zero_speed.")
       .def_static(
           "along",
-          [](const AnyPath& path, const FrameRoll& roll, const Doubles& scale) {
-            const auto factors = list_of(scale, "scale");
-            return unlocked([&] { return Motion::along(path, roll, factors).value(); });
+          [](const AnyPath& path, const Made<FrameRoll>& roll, const Doubles& scale) {
+            const auto factors = numbers_of(scale, "scale");
+            auto motion = unlocked([&] { return Motion::along(path, roll, factors).value(); });
+            return made(std::move(motion), "along", path, roll, scale);
           },
           py::arg("path"), py::arg("roll"), py::arg("scale") = one(),
           "Along a path with a roll made for it.")
       .def_static(
           "polynomial",
           [](const Doubles& position, const Doubles& rotation, const Doubles& scale) {
-            auto factors = list_of(scale, "scale");
+            auto factors = numbers_of(scale, "scale");
             if (factors.empty()) refuse_shape("scale", "(n,) with at least one number", scale);
-            return Motion::polynomial(polynomial_of<Vector3<double>>(position, "position"),
-                                      polynomial_of<Quaternion<double>>(rotation, "rotation"),
-                                      DynamicPolynomial<double>(std::move(factors)))
-                .value();
+            auto motion =
+                Motion::polynomial(polynomial_of<Vector3<double>>(position, "position"),
+                                   polynomial_of<Quaternion<double>>(rotation, "rotation"),
+                                   DynamicPolynomial<double>(std::move(factors)))
+                    .value();
+            return made(std::move(motion), "polynomial", position, rotation, scale);
           },
           py::arg("position"), py::arg("rotation"), py::arg("scale") = one(),
           "Any polynomial motion over [0, 1] by Bernstein coefficients (m, 3), (k, 4), (j,).")
@@ -235,17 +230,23 @@ SurfacePoints points_at(const Sweep& sweep, std::size_t piece, const Doubles& v,
 }
 
 void bind_surface(py::module_& m) {
-  py::class_<Sweep>(m, "Sweep", "The surface that a profile sweeps along a motion, exactly.")
-      .def(py::init([](const Motion& motion, const Profile& profile) {
-             return Sweep{motion, profile};
+  made_class<Sweep>(m, "Sweep", "The surface that a profile sweeps along a motion, exactly.")
+      .def(py::init([](const Made<Motion>& motion, const Made<Profile>& profile) {
+             return made(Sweep{motion, profile}, "", motion, profile);
            }),
            py::arg("motion"), py::arg("profile"))
-      .def_readonly("motion", &Sweep::motion)
-      .def_readonly("profile", &Sweep::profile);
+      .def_property_readonly(
+          "motion", [](const Made<Sweep>& self) { return self.of[0].cast<const Made<Motion>&>(); })
+      .def_property_readonly(
+          "profile",
+          [](const Made<Sweep>& self) { return self.of[1].cast<const Made<Profile>&>(); })
+      .def("__repr__", [](const Made<Sweep>& self) {
+        return "Sweep(" + std::string(py::repr(self.of[0])) + ", " +
+               std::string(py::repr(self.of[1])) + ")";
+      });
   Record<SurfacePoints>(m, "SurfacePoint", "Points of a sweep and the unit normals there.")
-      .field<&SurfacePoints::position>("position", "(..., 3).")
-      .field<&SurfacePoints::normal>("normal", "(..., 3); outwards for a closed profile.")
-      .done();
+      .field("position", &SurfacePoints::position, "(..., 3).")
+      .field("normal", &SurfacePoints::normal, "(..., 3); outwards for a closed profile.");
   m.def("point_of", &points_at, py::arg("sweep"), py::arg("piece"), py::arg("v"),
         py::arg("smooth_piece"), py::arg("w"),
         "Points at v of a piece of the motion and w of a smooth piece of the profile, which are "
@@ -276,9 +277,8 @@ void bind_contact(py::module_& m) {
       .value("certain", SweepFold::Kind::certain, "It certainly does not, at xi.")
       .value("undecided", SweepFold::Kind::undecided);
   Record<SweepFold>(m, "SweepFold", "Whether a sweep advances everywhere.")
-      .field<&SweepFold::kind>("kind")
-      .field<&SweepFold::xi>("xi", "Where it folds, or may.")
-      .done();
+      .field("kind", &SweepFold::kind)
+      .field("xi", &SweepFold::xi, "Where it folds, or may.");
   m.def("fold_of", &fold_of, py::arg("sweep"), py::call_guard<py::gil_scoped_release>(),
         "Whether cross-sections near each other meet: the surface then folds.");
   m.def("outer_radius", &outer_radius, py::arg("sweep"),
@@ -297,10 +297,9 @@ void bind_contact(py::module_& m) {
   m.def("is_certainly_free", &is_certainly_free, py::arg("sweep"), py::arg("tube"),
         "Whether the sweep lies inside the largest tube that does not touch itself.");
   Record<SweepContact>(m, "SweepContact", "What is known of the contact of a sweep with itself.")
-      .field<&SweepContact::free>("free", "Certainly no two cross-sections meet.")
-      .field<&SweepContact::xi>("xi", "Where this was not decided, (2,).")
-      .field<&SweepContact::pairs>("pairs", "Parts compared.")
-      .done();
+      .field("free", &SweepContact::free, "Certainly no two cross-sections meet.")
+      .field("xi", &SweepContact::xi, "Where this was not decided, (2,).")
+      .field("pairs", &SweepContact::pairs, "Parts compared.");
   m.def(
       "contact_of",
       [](const Sweep& sweep, double factor) {

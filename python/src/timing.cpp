@@ -8,7 +8,7 @@
 
 #include "hodograph/path/curvature_limited_timing.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 

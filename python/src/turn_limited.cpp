@@ -22,20 +22,20 @@ namespace {
 using Point = Vector2<double>;
 
 struct Limited {
-  AnyPath path = unit_path();
+  AnyPath path = unit_line();
   TurnLimitedShape shape = TurnLimitedShape::one_span;
   std::size_t whole_turns = 0;
   double arc_radius = 0.0, most_curvature = 0.0;
 };
 struct LeastPeak {
-  AnyPath curve = unit_path();
+  AnyPath curve = unit_line();
   Enclosure peak_curvature;
   double begin_speed = 0.0, end_speed = 0.0;
   PeakMinimum kind = PeakMinimum::interior;
   std::optional<LocalMinimum> interior{};
 };
 struct Spline {
-  AnyPath path = unit_path();
+  AnyPath path = unit_line();
   PlanarSplineReport report;
 };
 
@@ -62,41 +62,36 @@ void bind_types(py::module_& m) {
       .value("at_range_end", PeakMinimum::at_range_end, "On an end of the range of speeds.")
       .value("straight_line", PeakMinimum::straight_line);
   Record<Limited>(m, "TurnLimitedPath", "A path that keeps a turn radius.")
-      .field<&Limited::path>("path")
-      .field<&Limited::shape>("shape")
-      .field<&Limited::whole_turns>("whole_turns")
-      .field<&Limited::arc_radius>("arc_radius", "Of its arcs; 0 for one span.")
-      .field<&Limited::most_curvature>("most_curvature", "Certified: |kappa| is at most this.")
-      .done();
+      .field("path", &Limited::path)
+      .field("shape", &Limited::shape)
+      .field("whole_turns", &Limited::whole_turns)
+      .field("arc_radius", &Limited::arc_radius, "Of its arcs; 0 for one span.")
+      .field("most_curvature", &Limited::most_curvature, "Certified: |kappa| is at most this.");
   Record<LocalMinimum>(m, "LocalMinimum", "A minimum of the peak curvature that is local.")
-      .field<&LocalMinimum::parameter>("parameter", "The speed, or the length.")
-      .field<&LocalMinimum::peak_curvature>("peak_curvature", "An upper bound.")
-      .done();
+      .field("parameter", &LocalMinimum::parameter, "The speed, or the length.")
+      .field("peak_curvature", &LocalMinimum::peak_curvature, "An upper bound.");
   Record<LeastPeak>(m, "LeastPeakCurvature", "The quintic of least peak curvature.")
-      .field<&LeastPeak::curve>("curve", "On [0, 1].")
-      .field<&LeastPeak::peak_curvature>("peak_curvature", "The largest |kappa|, certain.")
-      .field<&LeastPeak::begin_speed>("begin_speed")
-      .field<&LeastPeak::end_speed>("end_speed")
-      .field<&LeastPeak::kind>("kind")
-      .field<&LeastPeak::interior>("interior", "The least local minimum, or None.")
-      .done();
+      .field("curve", &LeastPeak::curve, "On [0, 1].")
+      .field("peak_curvature", &LeastPeak::peak_curvature, "The largest |kappa|, certain.")
+      .field("begin_speed", &LeastPeak::begin_speed)
+      .field("end_speed", &LeastPeak::end_speed)
+      .field("kind", &LeastPeak::kind)
+      .field("interior", &LeastPeak::interior, "The least local minimum, or None.");
   using Report = PlanarSplineReport;
   Record<Report>(m, "PlanarSplineReport", "How a planar spline was found.")
-      .field<&Report::newton_steps>("newton_steps")
-      .field<&Report::residual>("residual", "How far a span misses its end, relative.")
-      .field<&Report::worst_span>("worst_span")
-      .field<&Report::closure_sign>("closure_sign")
-      .field<&Report::continued>("continued")
-      .field<&Report::alternatives_tried>("alternatives_tried")
-      .field<&Report::alternatives_taken>("alternatives_taken")
-      .field<&Report::solutions_found>("solutions_found")
-      .field<&Report::merged_points>("merged_points")
-      .field<&Report::energy>("energy", "The bending energy, if asked for.")
-      .done();
+      .field("newton_steps", &Report::newton_steps)
+      .field("residual", &Report::residual, "How far a span misses its end, relative.")
+      .field("worst_span", &Report::worst_span)
+      .field("closure_sign", &Report::closure_sign)
+      .field("continued", &Report::continued)
+      .field("alternatives_tried", &Report::alternatives_tried)
+      .field("alternatives_taken", &Report::alternatives_taken)
+      .field("solutions_found", &Report::solutions_found)
+      .field("merged_points", &Report::merged_points)
+      .field("energy", &Report::energy, "The bending energy, if asked for.");
   Record<Spline>(m, "PlanarSpline", "A planar spline and how it was found.")
-      .field<&Spline::path>("path")
-      .field<&Spline::report>("report")
-      .done();
+      .field("path", &Spline::path)
+      .field("report", &Spline::report);
 }
 
 void bind_limited(py::module_& m) {

@@ -8,7 +8,8 @@
 
 #include "hodograph/planning/mitred_world.hpp"
 #include "python/src/bindings.hpp"
-#include "python/src/values.hpp"
+#include "python/src/made.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -115,7 +116,7 @@ std::string text_of(const World& world) {
 }
 
 void bind_vertices(py::module_& m) {
-  ValueClass<WorldVertex> vertex(
+  Record<WorldVertex> vertex(
       m, "WorldVertex",
       "A vertex of a world: obstacle, ring (0 the outer one, k its hole k - 1) and vertex, counted "
       "in\nthe world's own rings. WorldVertex.bounds is the number of the bounds.");
@@ -128,45 +129,40 @@ void bind_vertices(py::module_& m) {
         return py::hash(py::make_tuple(v.obstacle, v.ring, v.vertex));
       });
   vertex.attr("bounds") = std::uint32_t{WorldVertex::bounds};
-  vertex.member("obstacle", &WorldVertex::obstacle)
-      .member("ring", &WorldVertex::ring)
-      .member("vertex", &WorldVertex::vertex)
-      .picklable();
+  vertex.field("obstacle", &WorldVertex::obstacle)
+      .field("ring", &WorldVertex::ring)
+      .field("vertex", &WorldVertex::vertex);
 
-  ValueClass<WorldRepair> repair(m, "WorldRepair", "Something about the data that was mended.");
+  Record<WorldRepair> repair(m, "WorldRepair", "Something about the data that was mended.");
   py::enum_<WorldRepair::Kind>(repair, "Kind", "What was mended.")
       .value("repeated_point", WorldRepair::Kind::repeated_point,
              "The vertex equals the one before it and was taken out.")
       .value("turned_ring", WorldRepair::Kind::turned_ring, "The ring went round the other way.");
-  repair.member("kind", &WorldRepair::kind)
-      .member("obstacle", &WorldRepair::obstacle, "WorldVertex.bounds for the bounds.")
-      .member("ring", &WorldRepair::ring, "In the data: 0 the outer one, k hole k - 1.")
-      .member("vertex", &WorldRepair::vertex, "In the data.")
-      .picklable()
+  repair.field("kind", &WorldRepair::kind)
+      .field("obstacle", &WorldRepair::obstacle, "WorldVertex.bounds for the bounds.")
+      .field("ring", &WorldRepair::ring, "In the data: 0 the outer one, k hole k - 1.")
+      .field("vertex", &WorldRepair::vertex, "In the data.")
       .def("__str__", [](const WorldRepair& r) { return to_text(r); });
 
-  ValueClass<RingContact>(m, "RingContact",
-                          "A vertex that lies on an edge, or on a vertex, of its own polygon.")
-      .member("vertex", &RingContact::vertex)
-      .member("edge", &RingContact::edge, "Where the edge starts.")
-      .picklable();
+  Record<RingContact>(m, "RingContact",
+                      "A vertex that lies on an edge, or on a vertex, of its own polygon.")
+      .field("vertex", &RingContact::vertex)
+      .field("edge", &RingContact::edge, "Where the edge starts.");
 }
 
 void bind_polygons(py::module_& m) {
-  ValueClass<Polygon> polygon(m, "Polygon",
-                              "What an outer ring surrounds, without what its holes surround. "
-                              "Rings are points (n, 2); the last\nis joined to the first, which is "
-                              "not repeated; either direction is right.");
+  Record<Polygon> polygon(m, "Polygon",
+                          "What an outer ring surrounds, without what its holes surround. "
+                          "Rings are points (n, 2); the last\nis joined to the first, which is "
+                          "not repeated; either direction is right.");
   polygon.def(py::init(&polygon_of), py::arg("outer"), py::arg("holes") = py::tuple(),
               py::arg("name") = "");
-  polygon.member("outer", &Polygon::outer, "The outer ring, (n, 2).")
-      .member("holes", &Polygon::holes, "The holes, each (n, 2).")
-      .member("name", &Polygon::name)
-      .picklable();
-  ValueClass<PlanarBox>(m, "PlanarBox", "An axis-parallel box.")
-      .member("lower", &PlanarBox::lower, "The corner (x, y) with the least coordinates.")
-      .member("upper", &PlanarBox::upper, "The corner (x, y) with the largest.")
-      .picklable()
+  polygon.field("outer", &Polygon::outer, "The outer ring, (n, 2).")
+      .field("holes", &Polygon::holes, "The holes, each (n, 2).")
+      .field("name", &Polygon::name);
+  Record<PlanarBox>(m, "PlanarBox", "An axis-parallel box.")
+      .field("lower", &PlanarBox::lower, "The corner (x, y) with the least coordinates.")
+      .field("upper", &PlanarBox::upper, "The corner (x, y) with the largest.")
       .def(
           "contains",
           [](const PlanarBox& box, const Doubles& p) {
@@ -238,19 +234,18 @@ void bind_world_class(py::module_& m) {
 }
 
 void bind_mitred_world(py::module_& m) {
-  ValueClass<WorldPosition> position(m, "WorldPosition", "Where a point stands.");
+  Record<WorldPosition> position(m, "WorldPosition", "Where a point stands.");
   py::enum_<WorldPosition::Kind>(position, "Kind", "Where a point stands.")
       .value("free", WorldPosition::Kind::free, "In the closed free space.")
       .value("in_obstacle", WorldPosition::Kind::in_obstacle,
              "Inside an obstacle, or between two that touch.")
       .value("in_band", WorldPosition::Kind::in_band, "Outside, but inside a grown obstacle.")
       .value("out_of_bounds", WorldPosition::Kind::out_of_bounds, "Outside the bounds.");
-  position.member("kind", &WorldPosition::kind)
-      .member("obstacle", &WorldPosition::obstacle,
-              "Whose: the one with the largest `missing`; WorldVertex.bounds for the bounds.")
-      .member("missing", &WorldPosition::missing,
-              "in_band: by how much the offset had to be smaller for the point to be free.")
-      .picklable();
+  position.field("kind", &WorldPosition::kind)
+      .field("obstacle", &WorldPosition::obstacle,
+             "Whose: the one with the largest `missing`; WorldVertex.bounds for the bounds.")
+      .field("missing", &WorldPosition::missing,
+             "in_band: by how much the offset had to be smaller for the point to be free.");
   py::class_<MitredWorld>(m, "MitredWorld",
                           "A world whose obstacles are grown by a distance, with mitred corners, "
                           "indexed for queries.")
@@ -314,6 +309,7 @@ void bind_world(py::module_& m) {
   bind_polygons(m);
   bind_world_class(m);
   bind_mitred_world(m);
+  add_equality_of_states(py::type::of<MitredWorld>());
   m.attr("largest_world_coordinate") = largest_world_coordinate;
   m.attr("least_offset_ratio") = least_offset_ratio;
 }

@@ -7,20 +7,19 @@
 #include <filesystem>
 #include <string>
 
-#include "python/src/values.hpp"
+#include "python/src/swept.hpp"
 
 PYBIND11_MODULE(_cad, m) {
   using namespace hodograph;
   using namespace hodograph::python;
   m.doc() = "Swept surfaces as STEP files.";
   py::module_::import("hodograph._core");
-  ValueClass<StepModel>(m, "StepModel", "What a STEP file holds.")
-      .member("text", &StepModel::text, "ISO 10303-21, application protocol AP214.")
-      .member("faces", &StepModel::faces, "Surfaces and caps.")
-      .member("solid", &StepModel::solid, "One closed solid, oriented outwards; else a shell.")
-      .member("degree_along", &StepModel::degree_along, "The largest.")
-      .member("degree_round", &StepModel::degree_round, "The largest.")
-      .picklable();
+  Record<StepModel>(m, "StepModel", "What a STEP file holds.")
+      .field("text", &StepModel::text, "ISO 10303-21, application protocol AP214.")
+      .field("faces", &StepModel::faces, "Surfaces and caps.")
+      .field("solid", &StepModel::solid, "One closed solid, oriented outwards; else a shell.")
+      .field("degree_along", &StepModel::degree_along, "The largest.")
+      .field("degree_round", &StepModel::degree_round, "The largest.");
   m.attr("largest_cad_degree") = largest_cad_degree;
   m.def(
       "step_of",

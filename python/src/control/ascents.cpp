@@ -9,12 +9,21 @@
 #include "hodograph/control/powered_ascent.hpp"
 #include "hodograph/control/tracking_ascent.hpp"
 #include "python/src/control/solving.hpp"
+#include "python/src/made.hpp"
+
+namespace pybind11::detail {
+
+template <>
+struct type_caster<hodograph::AscentReference> : hodograph_made_caster<hodograph::AscentReference> {
+};
+
+}  // namespace pybind11::detail
 
 namespace hodograph::python {
 
 namespace {
 
-using Progress = std::optional<py::function>;
+using Progress = std::optional<AscentProgress>;
 
 AscentSolving solving_of(std::size_t guesses, std::size_t max_iterations, double time_limit_s,
                          const py::dict& settings, Watch& watch) {
@@ -30,18 +39,16 @@ AscentSolving solving_of(std::size_t guesses, std::size_t max_iterations, double
 }
 
 void bind_shared(py::module_& m) {
-  ValueClass<SolverIteration>(m, "SolverIteration", "One iteration of a solver, as it is reported.")
-      .member("iteration", &SolverIteration::iteration)
-      .member("objective", &SolverIteration::objective)
-      .member("primal_infeasibility", &SolverIteration::primal_infeasibility)
-      .member("dual_infeasibility", &SolverIteration::dual_infeasibility)
-      .member("barrier", &SolverIteration::barrier)
-      .member("restoring", &SolverIteration::restoring)
-      .picklable();
-  ValueClass<AscentStart>(m, "AscentStart", "A place on the Moon's surface.")
-      .member("name", &AscentStart::name)
-      .member("direction", &AscentStart::direction, "From its centre, of length 1.")
-      .picklable();
+  Record<SolverIteration>(m, "SolverIteration", "One iteration of a solver, as it is reported.")
+      .field("iteration", &SolverIteration::iteration)
+      .field("objective", &SolverIteration::objective)
+      .field("primal_infeasibility", &SolverIteration::primal_infeasibility)
+      .field("dual_infeasibility", &SolverIteration::dual_infeasibility)
+      .field("barrier", &SolverIteration::barrier)
+      .field("restoring", &SolverIteration::restoring);
+  Record<AscentStart>(m, "AscentStart", "A place on the Moon's surface.")
+      .field("name", &AscentStart::name)
+      .field("direction", &AscentStart::direction, "From its centre, of length 1.");
   m.def(
       "ascent_starts",
       [] {
@@ -55,15 +62,16 @@ void bind_shared(py::module_& m) {
   m.attr("moon_radius_km") = moon_radius_km;
   m.attr("arrival_distance_km") = arrival_distance_km;
   using R = AscentReference;
-  py::class_<R>(m, "AscentReference",
+  made_class<R>(m, "AscentReference",
                 "A periodic orbit with its path, xi in revolutions from 0 to 1, in LU, closed.")
       .def(py::init([](const PeriodicOrbit& orbit, double tolerance) {
-             return unlocked([&] { return R::make(orbit, tolerance).value(); });
+             auto reference = unlocked([&] { return R::make(orbit, tolerance).value(); });
+             return made(std::move(reference), "", orbit, tolerance);
            }),
            py::arg("orbit"), py::arg("tolerance") = default_reference_tolerance,
            "The path of an orbit to a tolerance (LU).")
       .def_static(
-          "gateway", [] { return unlocked([] { return R::gateway().value(); }); },
+          "gateway", [] { return made(unlocked([] { return R::gateway().value(); }), "gateway"); },
           "The orbit of the PHODCOS paper, lunar_gateway_nrho().")
       .def_property_readonly("orbit", &R::orbit)
       .def_property_readonly("path", &R::path)
@@ -82,17 +90,19 @@ void bind_shared(py::module_& m) {
               }
             });
           },
-          py::arg("revolutions"), "p and three derivatives by revolutions, (..., 4, 3).");
-  ValueClass<AscentSolved>(m, "AscentSolved", "How an answer was found.")
-      .member("objective", &AscentSolved::objective)
-      .member("guess", &AscentSolved::guess, "That led to it, from 0.")
-      .member("tried", &AscentSolved::tried)
-      .member("converged", &AscentSolved::converged)
-      .member("iterations", &AscentSolved::iterations)
-      .member("seconds", &AscentSolved::seconds)
-      .member("constraint_error", &AscentSolved::constraint_error)
-      .member("status", &AscentSolved::status, "The solver's words.")
-      .picklable();
+          py::arg("revolutions"), "p and three derivatives by revolutions, (..., 4, 3).")
+      .def("__repr__", [](const R& reference) {
+        return "<hodograph.AscentReference: period " + to_text(reference.period_s()) + " s>";
+      });
+  Record<AscentSolved>(m, "AscentSolved", "How an answer was found.")
+      .field("objective", &AscentSolved::objective)
+      .field("guess", &AscentSolved::guess, "That led to it, from 0.")
+      .field("tried", &AscentSolved::tried)
+      .field("converged", &AscentSolved::converged)
+      .field("iterations", &AscentSolved::iterations)
+      .field("seconds", &AscentSolved::seconds)
+      .field("constraint_error", &AscentSolved::constraint_error)
+      .field("status", &AscentSolved::status, "The solver's words.");
 }
 
 void bind_tracking(py::module_& m) {
@@ -100,27 +110,26 @@ void bind_tracking(py::module_& m) {
       .value("one_revolution", TrackingSetting::one_revolution, "What the text describes.")
       .value("four_revolutions", TrackingSetting::four_revolutions, "The figure; does not arrive.");
   using T = TrackingAscent;
-  ValueClass<T>(m, "TrackingAscent", "The ascent of the PHODCOS paper, problem (25).")
-      .member("start", &T::start)
-      .member("xi", &T::xi, "The nodes, (N + 1,).")
-      .member("position", &T::position, "(N + 1, 3), LU.")
-      .member("reference", &T::reference, "The orbit's points, (N + 1, 3), LU.")
-      .member("speed", &T::speed)
-      .member("theta", &T::theta)
-      .member("phi", &T::phi)
-      .member("acceleration", &T::acceleration, "(N,).")
-      .member("theta_rate", &T::theta_rate, "(N,).")
-      .member("phi_rate", &T::phi_rate, "(N,).")
-      .member("position_error_km", &T::position_error_km)
-      .member("orientation_error", &T::orientation_error, "Radians.")
-      .member("speed_unit_m_s", &T::speed_unit_m_s)
-      .member("time_unit_s", &T::time_unit_s)
-      .member("end_error_km", &T::end_error_km)
-      .member("lowest_height_km", &T::lowest_height_km)
-      .member("largest_thrust_m_s2", &T::largest_thrust_m_s2)
-      .member("arrives", &T::arrives)
-      .member("solved", &T::solved)
-      .picklable();
+  Record<T>(m, "TrackingAscent", "The ascent of the PHODCOS paper, problem (25).")
+      .field("start", &T::start)
+      .field("xi", &T::xi, "The nodes, (N + 1,).")
+      .field("position", &T::position, "(N + 1, 3), LU.")
+      .field("reference", &T::reference, "The orbit's points, (N + 1, 3), LU.")
+      .field("speed", &T::speed)
+      .field("theta", &T::theta)
+      .field("phi", &T::phi)
+      .field("acceleration", &T::acceleration, "(N,).")
+      .field("theta_rate", &T::theta_rate, "(N,).")
+      .field("phi_rate", &T::phi_rate, "(N,).")
+      .field("position_error_km", &T::position_error_km)
+      .field("orientation_error", &T::orientation_error, "Radians.")
+      .field("speed_unit_m_s", &T::speed_unit_m_s)
+      .field("time_unit_s", &T::time_unit_s)
+      .field("end_error_km", &T::end_error_km)
+      .field("lowest_height_km", &T::lowest_height_km)
+      .field("largest_thrust_m_s2", &T::largest_thrust_m_s2)
+      .field("arrives", &T::arrives)
+      .field("solved", &T::solved);
   const TrackingOptions usual{};
   m.def(
       "tracking_ascent",
@@ -149,30 +158,28 @@ void bind_powered(py::module_& m) {
   py::enum_<PoweredObjective>(m, "PoweredObjective", "What a powered ascent spends least of.")
       .value("least_energy", PoweredObjective::least_energy)
       .value("least_time", PoweredObjective::least_time);
-  ValueClass<Repropagation>(m, "Repropagation", "What following the thrust again found.")
-      .member("position_error_km", &Repropagation::position_error_km)
-      .member("velocity_error_m_s", &Repropagation::velocity_error_m_s)
-      .member("orbit_error_km", &Repropagation::orbit_error_km)
-      .member("orbit_velocity_error_m_s", &Repropagation::orbit_velocity_error_m_s)
-      .member("lowest_height_km", &Repropagation::lowest_height_km)
-      .member("lowest_later_height_km", &Repropagation::lowest_later_height_km)
-      .member("steps", &Repropagation::steps)
-      .picklable();
+  Record<Repropagation>(m, "Repropagation", "What following the thrust again found.")
+      .field("position_error_km", &Repropagation::position_error_km)
+      .field("velocity_error_m_s", &Repropagation::velocity_error_m_s)
+      .field("orbit_error_km", &Repropagation::orbit_error_km)
+      .field("orbit_velocity_error_m_s", &Repropagation::orbit_velocity_error_m_s)
+      .field("lowest_height_km", &Repropagation::lowest_height_km)
+      .field("lowest_later_height_km", &Repropagation::lowest_later_height_km)
+      .field("steps", &Repropagation::steps);
   using T = PoweredAscent;
-  ValueClass<T>(m, "PoweredAscent", "An ascent with gravity and a thrust vector.")
-      .member("start", &T::start)
-      .member("duration_s", &T::duration_s)
-      .member("phase", &T::phase, "Where it meets the orbit, revolutions in [0, 1).")
-      .member("time_s", &T::time_s, "The nodes, (N + 1,).")
-      .member("position", &T::position, "(N + 1, 3), km from the Moon's centre.")
-      .member("velocity", &T::velocity, "(N + 1, 3), km/s.")
-      .member("thrust", &T::thrust, "(N, 3), m/s^2.")
-      .member("position_error_km", &T::position_error_km)
-      .member("orientation_error", &T::orientation_error, "Radians.")
-      .member("velocity_change_m_s", &T::velocity_change_m_s)
-      .member("again", &T::again)
-      .member("solved", &T::solved)
-      .picklable();
+  Record<T>(m, "PoweredAscent", "An ascent with gravity and a thrust vector.")
+      .field("start", &T::start)
+      .field("duration_s", &T::duration_s)
+      .field("phase", &T::phase, "Where it meets the orbit, revolutions in [0, 1).")
+      .field("time_s", &T::time_s, "The nodes, (N + 1,).")
+      .field("position", &T::position, "(N + 1, 3), km from the Moon's centre.")
+      .field("velocity", &T::velocity, "(N + 1, 3), km/s.")
+      .field("thrust", &T::thrust, "(N, 3), m/s^2.")
+      .field("position_error_km", &T::position_error_km)
+      .field("orientation_error", &T::orientation_error, "Radians.")
+      .field("velocity_change_m_s", &T::velocity_change_m_s)
+      .field("again", &T::again)
+      .field("solved", &T::solved);
   const PoweredOptions usual{};
   const auto bind = [&](const char* name, auto solve, const char* doc) {
     m.def(

@@ -46,6 +46,13 @@ void bind_start(py::module_& m) {
       .def_readonly("heading", &FollowStart::heading)
       .def_readonly("speed", &FollowStart::speed)
       .def_readonly("velocity", &FollowStart::velocity, "(3,), or None.")
+      .def(
+          "__eq__",
+          [](const FollowStart& a, const FollowStart& b) {
+            return a.xi == b.xi && a.offset == b.offset && a.heading == b.heading &&
+                   a.speed == b.speed && a.velocity == b.velocity;
+          },
+          py::is_operator())
       .def("__repr__",
            [](const FollowStart& s) {
              return "FollowStart(" + to_text(s.xi) + ", offset=[" + to_text(s.offset[0]) + ", " +
@@ -89,9 +96,24 @@ Doubles offsets_of(const Following& following) {
 void bind_result(py::module_& m) {
   using N = FollowNode;
   using F = Following;
-  py::class_<F>(m, "Following",
-                "A motion along a path: arrays over its N + 1 nodes, and what is known of it all.")
-      .def_property_readonly("time", column(&N::time))
+  Record<N>(m, "FollowNode", "A node of a motion along a path.")
+      .field("time", &N::time)
+      .field("xi", &N::xi)
+      .field("arc_length", &N::arc_length)
+      .field("offset", &N::offset, "(2,); the second is 0 in the plane.")
+      .field("heading", &N::heading)
+      .field("speed", &N::speed)
+      .field("position", &N::position, "(3,); z = 0 in the plane.")
+      .field("velocity", &N::velocity)
+      .field("acceleration", &N::acceleration)
+      .field("along", &N::along, "Acceleration along the velocity.")
+      .field("lateral", &N::lateral, "Across it.")
+      .field("stretch", &N::stretch, "h > 0.");
+  Record<F> following(
+      m, "Following",
+      "A motion along a path: arrays over its N + 1 nodes, and what is known of it all.");
+  following.field("nodes", &F::nodes, "FollowNode of each.");
+  following.def_property_readonly("time", column(&N::time))
       .def_property_readonly("xi", column(&N::xi))
       .def_property_readonly("arc_length", column(&N::arc_length))
       .def_property_readonly("offset", &offsets_of, "(N + 1, 2); the second is 0 in the plane.")
@@ -102,20 +124,17 @@ void bind_result(py::module_& m) {
       .def_property_readonly("acceleration", column(&N::acceleration), "(N + 1, 3).")
       .def_property_readonly("along", column(&N::along), "Acceleration along the velocity.")
       .def_property_readonly("lateral", column(&N::lateral), "Across it.")
-      .def_property_readonly("stretch", column(&N::stretch), "h > 0.")
-      .def_readonly("duration", &F::duration)
-      .def_readonly("progress", &F::progress)
-      .def_readonly("tube", &F::tube, "The largest offset with h > 0, certified.")
-      .def_readonly("largest_offset", &F::largest_offset, "Over all the motion.")
-      .def_readonly("least_stretch", &F::least_stretch, "h over sigma, likewise.")
-      .def_readonly("objective", &F::objective)
-      .def_readonly("constraint_error", &F::constraint_error)
-      .def_readonly("seconds", &F::seconds)
-      .def_readonly("iterations", &F::iterations)
-      .def("__repr__", [](const F& f) {
-        return "<hodograph.Following: " + std::to_string(f.nodes.size()) + " nodes, duration " +
-               to_text(f.duration) + ", progress " + to_text(f.progress) + ">";
-      });
+      .def_property_readonly("stretch", column(&N::stretch), "h > 0.");
+  following.field("duration", &F::duration)
+      .field("progress", &F::progress)
+      .field("tube", &F::tube, "The largest offset with h > 0, certified.")
+      .field("largest_offset", &F::largest_offset, "Over all the motion.")
+      .field("least_stretch", &F::least_stretch, "h over sigma, likewise.")
+      .field("largest_lateral", &F::largest_lateral, "In the plane: of the lateral acceleration.")
+      .field("objective", &F::objective)
+      .field("constraint_error", &F::constraint_error)
+      .field("seconds", &F::seconds)
+      .field("iterations", &F::iterations);
 }
 
 void bind_follow(py::module_& m) {
@@ -134,7 +153,7 @@ void bind_follow(py::module_& m) {
          FollowIndependent independent, FollowAim aim, std::optional<double> xi_end,
          std::optional<double> end_speed, double duration, double effort, double least_forward,
          std::size_t intervals, std::size_t max_iterations, double time_limit_s,
-         const std::optional<py::function>& progress, const py::dict& settings) {
+         const std::optional<SolverProgress>& progress, const py::dict& settings) {
         Watch watch(progress);
         FollowOptions options;
         options.independent = independent;
@@ -170,17 +189,13 @@ void bind_follow(py::module_& m) {
 }
 
 void bind_horizon(py::module_& m) {
-  py::class_<HorizonPlan>(m, "HorizonPlan", "One plan of a receding horizon.")
-      .def_readonly("following", &HorizonPlan::following)
-      .def_readonly("latency_s", &HorizonPlan::latency_s)
-      .def_readonly("iterations", &HorizonPlan::iterations)
-      .def_readonly("warm", &HorizonPlan::warm, "Started from the plan before.")
-      .def_readonly("finished", &HorizonPlan::finished, "Solved to the tolerances.")
-      .def_readonly("recovered", &HorizonPlan::recovered, "The vehicle was out of bounds, or so.")
-      .def("__repr__", [](const HorizonPlan& plan) {
-        return "<hodograph.HorizonPlan: progress " + to_text(plan.following.progress) + ", " +
-               std::to_string(plan.iterations) + " iterations>";
-      });
+  Record<HorizonPlan>(m, "HorizonPlan", "One plan of a receding horizon.")
+      .field("following", &HorizonPlan::following)
+      .field("latency_s", &HorizonPlan::latency_s)
+      .field("iterations", &HorizonPlan::iterations)
+      .field("warm", &HorizonPlan::warm, "Started from the plan before.")
+      .field("finished", &HorizonPlan::finished, "Solved to the tolerances.")
+      .field("recovered", &HorizonPlan::recovered, "The vehicle was out of bounds, or so.");
   const FollowLimits limits{};
   const HorizonOptions usual{};
   /// A horizon, and whether it has planned.
@@ -232,7 +247,11 @@ void bind_horizon(py::module_& m) {
             }
             return horizon.solver.predicted();
           },
-          "Where the vehicle is after one step of the last plan's first control.");
+          "Where the vehicle is after one step of the last plan's first control.")
+      .def("__repr__", [](const Horizon& horizon) {
+        return std::string("<hodograph.RecedingHorizon: ") +
+               (horizon.planned ? "has planned>" : "has not planned>");
+      });
 }
 
 }  // namespace

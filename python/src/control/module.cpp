@@ -14,13 +14,12 @@ std::vector<SolverSetting> settings_of(const py::dict& settings) {
 }
 
 void bind_code(py::module_& m) {
-  ValueClass<GeneratedCode>(m, "GeneratedCode",
-                            "A header and a source file; the source includes the header by name.")
-      .member("header_name", &GeneratedCode::header_name)
-      .member("header", &GeneratedCode::header)
-      .member("source_name", &GeneratedCode::source_name)
-      .member("source", &GeneratedCode::source)
-      .picklable();
+  Record<GeneratedCode>(m, "GeneratedCode",
+                        "A header and a source file; the source includes the header by name.")
+      .field("header_name", &GeneratedCode::header_name)
+      .field("header", &GeneratedCode::header)
+      .field("source_name", &GeneratedCode::source_name)
+      .field("source", &GeneratedCode::source);
   m.attr("most_name_letters") = most_name_letters;
   m.def(
       "generate_code",

@@ -136,15 +136,13 @@ void bind_coordinates(py::module_& m) {
       py::arg("reference"), py::arg("progress"), py::arg("offset"), py::arg("velocity"),
       "The rates of progress and offset of a point with a velocity (d,): (3,) in space, (2,) in "
       "the plane.");
-  ValueClass<OffsetLimits>(m, "OffsetLimits",
-                           "How far a path may be left to its sides such that its coordinates are "
-                           "regular.")
-      .member("left", &OffsetLimits::left,
-              "Infinite where no bend limits it; in space to any side.")
-      .member("right", &OffsetLimits::right)
-      .member("curvature_minimum", &OffsetLimits::curvature_minimum)
-      .member("curvature_maximum", &OffsetLimits::curvature_maximum)
-      .picklable();
+  Record<OffsetLimits>(m, "OffsetLimits",
+                       "How far a path may be left to its sides such that its coordinates are "
+                       "regular.")
+      .field("left", &OffsetLimits::left, "Infinite where no bend limits it; in space to any side.")
+      .field("right", &OffsetLimits::right)
+      .field("curvature_minimum", &OffsetLimits::curvature_minimum)
+      .field("curvature_maximum", &OffsetLimits::curvature_maximum);
   m.def(
       "offset_limits",
       [](const AnyPath& path) { return unlocked([&] { return offset_limits(path); }); },
@@ -157,13 +155,13 @@ void bind_reference(py::module_& m) {
   py::enum_<ProgressBy>(m, "ProgressBy", "What a place on a reference is named by.")
       .value("xi", ProgressBy::xi)
       .value("arc_length", ProgressBy::arc_length);
-  py::class_<Jets>(m, "ReferenceJet",
-                   "Position, frame, angular velocity and speed, each with two derivatives by the "
-                   "progress: the\nfirst axis after the places counts the derivatives, 0 to 2.")
-      .def_readonly("position", &Jets::position, "(..., 3, d).")
-      .def_readonly("frame", &Jets::frame, "(..., 3, d, d), the axes as columns.")
-      .def_readonly("body_rate", &Jets::body_rate, "(..., 3, 3) in space, (..., 3) in the plane.")
-      .def_readonly("speed", &Jets::speed, "(..., 3).");
+  Record<Jets>(m, "ReferenceJet",
+               "Position, frame, angular velocity and speed, each with two derivatives by the "
+               "progress: the\nfirst axis after the places counts the derivatives, 0 to 2.")
+      .field("position", &Jets::position, "(..., 3, d).")
+      .field("frame", &Jets::frame, "(..., 3, d, d), the axes as columns.")
+      .field("body_rate", &Jets::body_rate, "(..., 3, 3) in space, (..., 3) in the plane.")
+      .field("speed", &Jets::speed, "(..., 3).");
   py::class_<Reference>(m, "ReferencePath",
                         "A path as a solver needs it: everything with two exact derivatives at any "
                         "progress, fast.")
@@ -218,6 +216,15 @@ void bind_reference(py::module_& m) {
                       to_text(p.end()) + (p.is_periodic() ? ", periodic>" : ">");
              });
            })
+      .def(
+          "__eq__",
+          [](const Reference& a, const Reference& b) {
+            const auto by = [](const Reference& r) {
+              return r.visit([](const auto& p) { return p.progress_by(); });
+            };
+            return a.path == b.path && by(a) == by(b);
+          },
+          py::is_operator())
       .def(py::pickle(
           [](const Reference& r) {
             return py::make_tuple(r.path, r.visit([](const auto& p) { return p.progress_by(); }));

@@ -9,7 +9,7 @@
 
 #include "hodograph/control/lunar_ascent.hpp"
 #include "hodograph/control/solver.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -46,6 +46,14 @@ class Watch {
   std::exception_ptr raised_;
 };
 
+/// progress(SolverIteration), and progress(guess, SolverIteration).
+class SolverProgress : public py::function {
+  using py::function::function;
+};
+class AscentProgress : public py::function {
+  using py::function::function;
+};
+
 /// Ipopt's own options by name: a dict of texts and numbers.
 std::vector<SolverSetting> settings_of(const py::dict& settings);
 
@@ -55,3 +63,14 @@ void bind_following(py::module_& m);
 void bind_code(py::module_& m);
 
 }  // namespace hodograph::python
+
+template <>
+struct pybind11::detail::handle_type_name<hodograph::python::SolverProgress> {
+  static constexpr auto name =
+      const_name("Callable[[hodograph._control.SolverIteration], Optional[bool]]");
+};
+template <>
+struct pybind11::detail::handle_type_name<hodograph::python::AscentProgress> {
+  static constexpr auto name =
+      const_name("Callable[[int, hodograph._control.SolverIteration], Optional[bool]]");
+};

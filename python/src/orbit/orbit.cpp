@@ -11,7 +11,8 @@
 #include "hodograph/orbit/orbit_curve.hpp"
 #include "hodograph/orbit/reference_frame.hpp"
 
-#include "python/src/values.hpp"
+#include "python/src/made.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 
@@ -108,9 +109,9 @@ Jet jet_of(const Doubles& array) {
 }
 
 void bind_system(py::module_& m) {
-  ValueClass<ThreeBodySystem> system(m, "ThreeBodySystem",
-                                     "The constants of two primaries that circle their "
-                                     "barycentre.");
+  Record<ThreeBodySystem> system(m, "ThreeBodySystem",
+                                 "The constants of two primaries that circle their "
+                                 "barycentre.");
   system.def(py::init([](double mass_ratio, double length_unit_km, double time_unit_s) {
                const ThreeBodySystem made{mass_ratio, length_unit_km, time_unit_s};
                if (const auto fault = check_system(made)) throw Error(*fault);
@@ -118,10 +119,9 @@ void bind_system(py::module_& m) {
              }),
              py::arg("mass_ratio"), py::arg("length_unit_km"), py::arg("time_unit_s"),
              "Raises HodographError: outside_domain (a mass ratio outside (0, 1/2] and the like).");
-  system.member("mass_ratio", &ThreeBodySystem::mass_ratio, "Of the smaller primary.")
-      .member("length_unit_km", &ThreeBodySystem::length_unit_km, "Kilometres in one LU.")
-      .member("time_unit_s", &ThreeBodySystem::time_unit_s, "Seconds in one TU.")
-      .picklable();
+  system.field("mass_ratio", &ThreeBodySystem::mass_ratio, "Of the smaller primary.")
+      .field("length_unit_km", &ThreeBodySystem::length_unit_km, "Kilometres in one LU.")
+      .field("time_unit_s", &ThreeBodySystem::time_unit_s, "Seconds in one TU.");
   m.attr("earth_moon_system") = earth_moon_system;
   m.def("pseudo_potential",
         at_points(1, [](const ThreeBodySystem& s, const Vector3<double>& p,
@@ -175,6 +175,33 @@ void bind_system(py::module_& m) {
       "Position and four derivatives (5, 3) of the motion through a state (6,).");
 }
 
+/// Each long double as two doubles, whose sum it is exactly, and back.
+Doubles in_two(const std::vector<long double>& numbers) {
+  std::vector<double> parts;
+  for (const long double x : numbers) {
+    const auto high = static_cast<double>(x);
+    parts.push_back(high);
+    parts.push_back(static_cast<double>(x - static_cast<long double>(high)));
+  }
+  return array_of(parts);
+}
+std::vector<long double> of_two(const Doubles& array, std::size_t count) {
+  const auto parts = numbers_of(array, "numbers");
+  if (parts.size() != 2 * count) refuse_shape("numbers", std::to_string(2 * count), array);
+  std::vector<long double> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    numbers.push_back(static_cast<long double>(parts[2 * i]) +
+                      static_cast<long double>(parts[2 * i + 1]));
+  }
+  return numbers;
+}
+
+std::vector<long double> numbers_of_motion(const Propagation& p) {
+  return {p.state.position[0],       p.state.position[1],       p.state.position[2],
+          p.state.velocity[0],       p.state.velocity[1],       p.state.velocity[2],
+          p.closest_approach_larger, p.closest_approach_smaller};
+}
+
 void bind_propagation(py::module_& m) {
   py::class_<Propagation>(m, "Propagation", "Where a motion got to.")
       .def_property_readonly(
@@ -188,16 +215,58 @@ void bind_propagation(py::module_& m) {
           "closest_approach_smaller",
           [](const Propagation& p) { return static_cast<double>(p.closest_approach_smaller); },
           "LU.")
-      .def("__repr__", [](const Propagation& p) {
-        return "<hodograph.Propagation: " + std::to_string(p.steps) + " steps>";
-      });
+      .def("__repr__",
+           [](const Propagation& p) {
+             return "<hodograph.Propagation: " + std::to_string(p.steps) + " steps>";
+           })
+      .def(
+          "__eq__",
+          [](const Propagation& a, const Propagation& b) {
+            return a.steps == b.steps && numbers_of_motion(a) == numbers_of_motion(b);
+          },
+          py::is_operator())
+      .def(py::pickle(
+          [](const Propagation& p) {
+            return py::make_tuple(p.steps, in_two(numbers_of_motion(p)));
+          },
+          [](const py::tuple& t) {
+            require_members(t, 2);
+            const auto x = of_two(t[1].cast<Doubles>(), 8);
+            return Propagation{
+                {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}, t[0].cast<std::size_t>(), x[6], x[7]};
+          }));
   py::class_<VariationalPropagation>(m, "VariationalPropagation",
                                      "A motion with its first variation.")
       .def_readonly("motion", &VariationalPropagation::motion)
       .def_property_readonly(
           "transition",
           [](const VariationalPropagation& p) { return array_of_matrix(p.transition); },
-          "The state transition matrix, (6, 6).");
+          "The state transition matrix, (6, 6).")
+      .def("__repr__",
+           [](const VariationalPropagation& p) {
+             return "<hodograph.VariationalPropagation: " + std::to_string(p.motion.steps) +
+                    " steps>";
+           })
+      .def(
+          "__eq__",
+          [](const VariationalPropagation& a, const VariationalPropagation& b) {
+            return a.motion.steps == b.motion.steps && a.transition == b.transition &&
+                   numbers_of_motion(a.motion) == numbers_of_motion(b.motion);
+          },
+          py::is_operator())
+      .def(py::pickle(
+          [](const VariationalPropagation& p) {
+            std::vector<long double> all;
+            for (const auto& row : p.transition) all.insert(all.end(), row.begin(), row.end());
+            return py::make_tuple(p.motion, in_two(all));
+          },
+          [](const py::tuple& t) {
+            require_members(t, 2);
+            const auto x = of_two(t[1].cast<Doubles>(), 36);
+            VariationalPropagation p{t[0].cast<Propagation>(), {}};
+            for (std::size_t i = 0; i < 36; ++i) p.transition[i / 6][i % 6] = x[i];
+            return p;
+          }));
   m.def(
       "propagate",
       [](const ThreeBodySystem& system, const Doubles& start, double duration,
@@ -249,30 +318,27 @@ void visit_numbers(Orbit& orbit, const Take& take) {
   }
 }
 
-/// Each long double as two doubles, whose sum it is exactly.
+std::vector<long double> numbers_of_orbit(const PeriodicOrbit& orbit) {
+  std::vector<long double> all;
+  visit_numbers(orbit, [&](const long double& x) { all.push_back(x); });
+  return all;
+}
+
 py::tuple stored(const PeriodicOrbit& orbit) {
-  std::vector<double> numbers;
-  visit_numbers(orbit, [&](const long double& x) {
-    const auto high = static_cast<double>(x);
-    numbers.push_back(high);
-    numbers.push_back(static_cast<double>(x - static_cast<long double>(high)));
-  });
-  return py::make_tuple(orbit.system, orbit.iterations, array_of(numbers),
+  return py::make_tuple(orbit.system, orbit.iterations, in_two(numbers_of_orbit(orbit)),
                         orbit.stability_indices[0], orbit.stability_indices[1]);
 }
 
 PeriodicOrbit restored(const py::tuple& t) {
+  require_members(t, 5);
   PeriodicOrbit orbit;
+  const std::size_t count = numbers_of_orbit(orbit).size();
   orbit.system = t[0].cast<ThreeBodySystem>();
   orbit.iterations = t[1].cast<std::size_t>();
-  const auto numbers = numbers_of(t[2].cast<Doubles>(), "numbers");
+  const auto numbers = of_two(t[2].cast<Doubles>(), count);
   orbit.stability_indices = {t[3].cast<std::complex<double>>(), t[4].cast<std::complex<double>>()};
   std::size_t next = 0;
-  visit_numbers(orbit, [&](long double& x) {
-    if (next + 2 > numbers.size()) throw py::value_error("a pickle of an orbit is too short");
-    x = static_cast<long double>(numbers[next]) + static_cast<long double>(numbers[next + 1]);
-    next += 2;
-  });
+  visit_numbers(orbit, [&](long double& x) { x = numbers[next++]; });
   return orbit;
 }
 
@@ -316,7 +382,17 @@ void bind_orbits(py::module_& m) {
                     to_text(static_cast<double>(orbit.period)) + " TU, Jacobi constant " +
                     to_text(static_cast<double>(orbit.jacobi)) + ">";
            })
+      .def(
+          "__eq__",
+          [](const O& a, const O& b) {
+            return numbers_of_orbit(a) == numbers_of_orbit(b) && a.iterations == b.iterations &&
+                   a.stability_indices == b.stability_indices &&
+                   py::cast(a.system).equal(py::cast(b.system));
+          },
+          py::is_operator())
       .def("__copy__", [](const O& orbit) { return orbit; })
+      .def(
+          "__deepcopy__", [](const O& orbit, const py::dict&) { return orbit; }, py::arg("memo"))
       .def(py::pickle(&stored, &restored));
   m.attr("crossing_tolerance") = static_cast<double>(crossing_tolerance);
   m.attr("mean_synodic_month_days") = mean_synodic_month_days;
@@ -452,4 +528,5 @@ PYBIND11_MODULE(_orbit, m) {
   bind_orbits(m);
   bind_frames(m);
   bind_curves(m);
+  add_equality_of_states(py::type::of<hodograph::OrbitCurve>());
 }

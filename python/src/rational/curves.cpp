@@ -17,14 +17,14 @@ using Curve = RationalPhCurve;
 
 void bind_motions(py::module_& m) {
   using D = DualQuaternionPolynomial;
-  ValueClass<D> c(m, "DualQuaternionPolynomial",
-                  "P + eps D, quaternion polynomials: a rational motion where the Study condition "
-                  "holds.");
+  Record<D> c(m, "DualQuaternionPolynomial",
+              "P + eps D, quaternion polynomials: a rational motion where the Study condition "
+              "holds.");
   c.def(py::init([](const QuaternionArgument& primal, const QuaternionArgument& dual) {
           return D{primal.value, dual.value};
         }),
         py::arg("primal"), py::arg("dual"));
-  c.member("primal", &D::primal).member("dual", &D::dual).picklable();
+  c.field("primal", &D::primal).field("dual", &D::dual);
   c.def(
        "__mul__", [](const D& a, const D& b) { return a * b; }, py::arg("b"))
       .def(
@@ -64,23 +64,19 @@ void bind_motions(py::module_& m) {
 }
 
 void bind_parts(py::module_& m) {
-  ValueClass<Curve::Piece>(m, "RationalCurvePiece", "A part of a curve with one pole.")
-      .member("pole", &Curve::Piece::pole)
-      .member("lambda_", &Curve::Piece::lambda)
-      .member("curve", &Curve::Piece::curve)
-      .picklable();
-  ValueClass<Curve::Decomposition>(
-      m, "RationalCurveDecomposition",
-      "r = sum of pieces + integral of polynomial_lambda F + constant.")
-      .member("polynomial_lambda", &Curve::Decomposition::polynomial_lambda)
-      .member("pieces", &Curve::Decomposition::pieces)
-      .member("constant", &Curve::Decomposition::constant)
-      .picklable();
-  ValueClass<Curve::Frame>(m, "RationalFrame", "|A|^2 times the axes of the frame of A.")
-      .member("e1", &Curve::Frame::e1)
-      .member("e2", &Curve::Frame::e2)
-      .member("e3", &Curve::Frame::e3)
-      .picklable();
+  Record<Curve::Piece>(m, "RationalCurvePiece", "A part of a curve with one pole.")
+      .field("pole", &Curve::Piece::pole)
+      .field("lambda_", &Curve::Piece::lambda)
+      .field("curve", &Curve::Piece::curve);
+  Record<Curve::Decomposition>(m, "RationalCurveDecomposition",
+                               "r = sum of pieces + integral of polynomial_lambda F + constant.")
+      .field("polynomial_lambda", &Curve::Decomposition::polynomial_lambda)
+      .field("pieces", &Curve::Decomposition::pieces)
+      .field("constant", &Curve::Decomposition::constant);
+  Record<Curve::Frame>(m, "RationalFrame", "|A|^2 times the axes of the frame of A.")
+      .field("e1", &Curve::Frame::e1)
+      .field("e2", &Curve::Frame::e2)
+      .field("e3", &Curve::Frame::e3);
 }
 
 std::string text_of(const Curve& curve) {

@@ -9,7 +9,7 @@
 
 #include "hodograph/rational/polynomial.hpp"
 #include "hodograph/rational/text.hpp"
-#include "python/src/values.hpp"
+#include "python/src/records.hpp"
 
 namespace hodograph::python {
 

@@ -12,6 +12,23 @@
 
 namespace hodograph::python {
 
+/// What texts define, by name.
+class Definitions : public py::dict {
+  using py::dict::dict;
+};
+
+}  // namespace hodograph::python
+
+template <>
+struct pybind11::detail::handle_type_name<hodograph::python::Definitions> {
+  static constexpr auto name = const_name(
+      "Dict[str, Union[hodograph._rational.RationalPolynomial, "
+      "hodograph._rational.RationalFunction, hodograph._rational.QuaternionPolynomial, "
+      "hodograph._rational.VectorFunction]]");
+};
+
+namespace hodograph::python {
+
 namespace {
 
 using F = RationalFunction;
@@ -108,23 +125,20 @@ void bind_function(py::module_& m) {
             });
           },
           py::arg("t"), "The exact values at numbers or arrays, rounded once.");
-  ValueClass<RationalIntegral>(m, "RationalIntegral",
-                               "An integral as a rational function and what is left: zero exactly "
-                               "when it is rational.")
-      .member("rational", &RationalIntegral::rational)
-      .member("obstruction", &RationalIntegral::obstruction)
-      .picklable();
+  Record<RationalIntegral>(m, "RationalIntegral",
+                           "An integral as a rational function and what is left: zero exactly "
+                           "when it is rational.")
+      .field("rational", &RationalIntegral::rational)
+      .field("obstruction", &RationalIntegral::obstruction);
   m.def(
       "integral", [](const FunctionArgument& g) { return integral(g.value); }, py::arg("f"),
       "The integral of f, by Hermite's reduction.");
-  ValueClass<PartialFractions::Part>(m, "PartialFraction", "A proper fraction over one factor.")
-      .member("pole", &PartialFractions::Part::pole)
-      .member("value", &PartialFractions::Part::value)
-      .picklable();
-  ValueClass<PartialFractions>(m, "PartialFractions", "A function split over coprime denominators.")
-      .member("polynomial", &PartialFractions::polynomial)
-      .member("parts", &PartialFractions::parts)
-      .picklable();
+  Record<PartialFractions::Part>(m, "PartialFraction", "A proper fraction over one factor.")
+      .field("pole", &PartialFractions::Part::pole)
+      .field("value", &PartialFractions::Part::value);
+  Record<PartialFractions>(m, "PartialFractions", "A function split over coprime denominators.")
+      .field("polynomial", &PartialFractions::polynomial)
+      .field("parts", &PartialFractions::parts);
   m.def(
       "partial_fractions", [](const FunctionArgument& g) { return partial_fractions(g.value); },
       py::arg("f"),
@@ -187,7 +201,7 @@ void bind_functions(py::module_& m) {
   m.def(
       "parse_definitions",
       [](const std::string& text) {
-        py::dict result;
+        Definitions result;
         for (const TextDefinition& one : parse_definitions(text).value()) {
           result[py::str(one.name)] = simplest(one.value);
         }

@@ -7,6 +7,7 @@
 
 #include "hodograph/rational/cusp_free.hpp"
 #include "hodograph/rational/hermite_preimage.hpp"
+#include "python/src/made.hpp"
 #include "python/src/rational/exact.hpp"
 
 namespace hodograph::python {
@@ -47,12 +48,11 @@ void require_interval(const Rational& begin, const Rational& end) {
 RationalVector unit(const RationalVector& v) { return rational_direction(v).value().unit; }
 
 void bind_directions(py::module_& m) {
-  ValueClass<RationalDirection>(m, "RationalDirection", "A vector of length 1 over the rationals.")
-      .member("unit", &RationalDirection::unit)
-      .member("length", &RationalDirection::length, "Of the vector it came from, or near it.")
-      .member("exact", &RationalDirection::exact, "Parallel to that vector.")
-      .member("deviation", &RationalDirection::deviation, "The sine of the angle between them.")
-      .picklable();
+  Record<RationalDirection>(m, "RationalDirection", "A vector of length 1 over the rationals.")
+      .field("unit", &RationalDirection::unit)
+      .field("length", &RationalDirection::length, "Of the vector it came from, or near it.")
+      .field("exact", &RationalDirection::exact, "Parallel to that vector.")
+      .field("deviation", &RationalDirection::deviation, "The sine of the angle between them.");
   m.def(
       "rational_direction",
       [](const RationalVector& v, long bits) { return rational_direction(v, bits).value(); },
@@ -76,19 +76,18 @@ void bind_directions(py::module_& m) {
       py::arg("end") = Rational(1),
       "The A whose indicatrix has the directions (of length 1, exactly) at the ends; inner: Bezier "
       "coefficients\n(w, x, y, z) between. Raises HodographError: not_increasing, outside_domain.");
-  ValueClass<ConeTest> cone(
-      m, "ConeTest", "Whether any curve of an indicatrix runs along a chord without a cusp.");
+  Record<ConeTest> cone(m, "ConeTest",
+                        "Whether any curve of an indicatrix runs along a chord without a cusp.");
   py::enum_<ConeTest::Outcome>(cone, "Outcome")
       .value("inside", ConeTest::Outcome::inside)
       .value("outside", ConeTest::Outcome::outside)
       .value("undecided", ConeTest::Outcome::undecided);
-  cone.member("outcome", &ConeTest::outcome)
-      .member("sentence", &ConeTest::sentence)
-      .member("normal", &ConeTest::normal, "Proof of `outside`.")
-      .member("nodes", &ConeTest::nodes, "Proof of `inside`.")
-      .member("weights", &ConeTest::weights, "Proof of `inside`.")
-      .member("rounds", &ConeTest::rounds)
-      .picklable();
+  cone.field("outcome", &ConeTest::outcome)
+      .field("sentence", &ConeTest::sentence)
+      .field("normal", &ConeTest::normal, "Proof of `outside`.")
+      .field("nodes", &ConeTest::nodes, "Proof of `inside`.")
+      .field("weights", &ConeTest::weights, "Proof of `inside`.")
+      .field("rounds", &ConeTest::rounds);
   m.def(
       "cone_test",
       [](const VectorArgument& f, const RationalVector& chord, const Rational& begin,
@@ -106,9 +105,9 @@ void bind_directions(py::module_& m) {
       py::arg("indicatrix"), py::arg("chord"), py::arg("begin") = Rational(0),
       py::arg("end") = Rational(1), py::arg("most_rounds") = default_rounds,
       "Whether a chord lies in the cone of the tangents F(t), exactly, with the proof.");
-  ValueClass<ChosenPreimage>(m, "ChosenPreimage", "A choice of A for Hermite data.")
-      .member("preimage", &ChosenPreimage::preimage)
-      .member("cone", &ChosenPreimage::cone);
+  Record<ChosenPreimage>(m, "ChosenPreimage", "A choice of A for Hermite data.")
+      .field("preimage", &ChosenPreimage::preimage)
+      .field("cone", &ChosenPreimage::cone);
   m.def(
       "chosen_preimage",
       [](const RationalVector& chord, const RationalVector& begin_direction,
@@ -193,6 +192,22 @@ void bind_family(py::module_& m) {
           },
           py::arg("target"), py::arg("nodes"),
           "The parameters whose speed at the nodes is nearest to a target, exactly.")
+      .def(py::pickle(
+          [](const H& c) {
+            const auto& d = c.data();
+            return py::make_tuple(c.space(), d.begin_point, d.end_point, d.begin_derivative,
+                                  d.end_derivative, d.begin, d.end);
+          },
+          [](const py::tuple& t) {
+            require_members(t, 7);
+            RationalHermiteData data{t[1].cast<RationalVector>(),
+                                     t[2].cast<RationalVector>(),
+                                     t[3].cast<std::optional<RationalVector>>(),
+                                     t[4].cast<std::optional<RationalVector>>(),
+                                     t[5].cast<Rational>(),
+                                     t[6].cast<Rational>()};
+            return H::create(t[0].cast<SolutionSpace>(), std::move(data)).value();
+          }))
       .def("__repr__", [](const H& c) {
         return "<hodograph.HermiteCurves: " + std::to_string(c.unknowns()) + " unknowns, " +
                std::to_string(c.equations()) + " equations, " +
@@ -202,8 +217,8 @@ void bind_family(py::module_& m) {
 
 void bind_cusp_free(py::module_& m) {
   using A = CuspFreeAnswer;
-  ValueClass<A> answer(m, "CuspFreeAnswer",
-                       "A certified curve without cusps, or a proof that there is none.");
+  Record<A> answer(m, "CuspFreeAnswer",
+                   "A certified curve without cusps, or a proof that there is none.");
   py::enum_<A::Outcome>(answer, "Outcome")
       .value("found", A::Outcome::found)
       .value("none", A::Outcome::none)
@@ -214,17 +229,17 @@ void bind_cusp_free(py::module_& m) {
       .value("cone", A::Reason::cone)
       .value("single_curve", A::Reason::single_curve)
       .value("weights", A::Reason::weights);
-  answer.member("outcome", &A::outcome)
-      .member("reason", &A::reason, "Why there is none.")
-      .member("sentence", &A::sentence)
-      .member("curve", &A::curve)
-      .member("parameters", &A::parameters, "Its x.")
-      .member("cusp", &A::cusp, "Of the only curve.")
-      .member("cone", &A::cone)
-      .member("nodes", &A::nodes, "Those with positive weight.")
-      .member("weights", &A::weights)
-      .member("speed_bound", &A::speed_bound, "No curve is faster than this everywhere.")
-      .member("rounds", &A::rounds);
+  answer.field("outcome", &A::outcome)
+      .field("reason", &A::reason, "Why there is none.")
+      .field("sentence", &A::sentence)
+      .field("curve", &A::curve)
+      .field("parameters", &A::parameters, "Its x.")
+      .field("cusp", &A::cusp, "Of the only curve.")
+      .field("cone", &A::cone)
+      .field("nodes", &A::nodes, "Those with positive weight.")
+      .field("weights", &A::weights)
+      .field("speed_bound", &A::speed_bound, "No curve is faster than this everywhere.")
+      .field("rounds", &A::rounds);
   const CuspFreeLimits usual{};
   m.def(
       "cusp_free_curve",
@@ -242,16 +257,16 @@ void bind_cusp_free(py::module_& m) {
       },
       py::arg("answer"), py::arg("curves"),
       "True when the certificate or proof of an answer holds: recomputed.");
-  ValueClass<SearchedSpace>(m, "SearchedSpace", "What a search found in one space.")
-      .member("power", &SearchedSpace::power)
-      .member("degree", &SearchedSpace::degree)
-      .member("answer", &SearchedSpace::answer);
-  ValueClass<DegreeSearch>(m, "DegreeSearch", "The smallest space with a curve without cusps.")
-      .member("found", &DegreeSearch::found)
-      .member("before", &DegreeSearch::before, "The spaces before it that could have held one.")
-      .member("proved_smallest", &DegreeSearch::proved_smallest)
-      .member("cone", &DegreeSearch::cone, "Where no space at all holds one.")
-      .member("sentence", &DegreeSearch::sentence);
+  Record<SearchedSpace>(m, "SearchedSpace", "What a search found in one space.")
+      .field("power", &SearchedSpace::power)
+      .field("degree", &SearchedSpace::degree)
+      .field("answer", &SearchedSpace::answer);
+  Record<DegreeSearch>(m, "DegreeSearch", "The smallest space with a curve without cusps.")
+      .field("found", &DegreeSearch::found)
+      .field("before", &DegreeSearch::before, "The spaces before it that could have held one.")
+      .field("proved_smallest", &DegreeSearch::proved_smallest)
+      .field("cone", &DegreeSearch::cone, "Where no space at all holds one.")
+      .field("sentence", &DegreeSearch::sentence);
   m.def(
       "smallest_cusp_free",
       [](const QuaternionArgument& a, const RationalVector& begin_point,
@@ -281,6 +296,7 @@ void bind_hermite_preimages(py::module_& m) { bind_directions(m); }
 
 void bind_hermite_curves(py::module_& m) {
   bind_family(m);
+  add_equality_of_states(py::type::of<HermiteCurves>());
   bind_cusp_free(m);
 }
 

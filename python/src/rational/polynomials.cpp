@@ -6,6 +6,8 @@
 
 #include "hodograph/rational/motion_polynomial.hpp"
 #include "hodograph/rational/real_roots.hpp"
+#include "hodograph/rational/work_limits.hpp"
+#include "python/src/made.hpp"
 #include "python/src/rational/exact.hpp"
 
 namespace hodograph::python {
@@ -229,10 +231,9 @@ void bind_vector(py::module_& m) {
 }
 
 void bind_roots(py::module_& m) {
-  ValueClass<PolynomialFactor>(m, "PolynomialFactor", "One factor of a polynomial.")
-      .member("factor", &PolynomialFactor::factor, "Monic.")
-      .member("multiplicity", &PolynomialFactor::multiplicity)
-      .picklable();
+  Record<PolynomialFactor>(m, "PolynomialFactor", "One factor of a polynomial.")
+      .field("factor", &PolynomialFactor::factor, "Monic.")
+      .field("multiplicity", &PolynomialFactor::multiplicity);
   m.def(
       "square_free_factors", [](const Argument& p) { return square_free_factors(p.value); },
       py::arg("p"), "Square-free, pairwise coprime factors by multiplicity; none for constants.");
@@ -284,9 +285,12 @@ void bind_roots(py::module_& m) {
       "real_roots",
       [](const Argument& p) {
         const P& checked = not_zero(p);
+        if (const auto fault = root_work_fault(checked)) throw Error(*fault);
         return unlocked([&] { return real_roots(checked); });
       },
-      py::arg("p"), "The distinct real roots of p, increasing, isolated exactly.");
+      py::arg("p"),
+      "The distinct real roots of p, increasing, isolated exactly. Raises HodographError: "
+      "outside_domain (p = 0),\nunsupported (more than about a second's work).");
   const auto between = [](auto decide) {
     return [decide](const Argument& p, const Rational& a, const Rational& b) {
       if (a > b) {
@@ -294,6 +298,7 @@ void bind_roots(py::module_& m) {
                "an interval runs from a to b >= a; got " + to_text(a) + " and " + to_text(b), "a");
       }
       const P& checked = not_zero(p);
+      if (const auto fault = root_work_fault(checked)) throw Error(*fault);
       return unlocked([&] { return decide(checked, a, b); });
     };
   };
@@ -318,6 +323,7 @@ void bind_polynomials(py::module_& m) {
   bind_vector(m);  // before what returns it, so that signatures name it
   bind_quaternion(m);
   bind_roots(m);
+  add_equality_of_states(py::type::of<RealRoot>());
 }
 
 }  // namespace hodograph::python

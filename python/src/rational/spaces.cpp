@@ -6,51 +6,54 @@
 
 #include "hodograph/rational/existence.hpp"
 #include "hodograph/rational/solution_space.hpp"
+#include "hodograph/rational/work_limits.hpp"
+#include "python/src/made.hpp"
 #include "python/src/rational/exact.hpp"
 
 namespace hodograph::python {
 
 namespace {
 
+/// Throws Error (unsupported) where the numbers are larger than the program takes.
+void require_small(const QuaternionPolynomial& a, const RationalPolynomial& alpha) {
+  if (const auto fault = input_size_fault(a, alpha)) throw Error(*fault);
+}
+
 void bind_existence(py::module_& m) {
-  ValueClass<Reduction> reduced(m, "Reduction",
-                                "A = reduced (re + im i): what turns about the tangent, and what "
-                                "only scales, divided out.");
-  reduced.member("reduced", &Reduction::reduced)
-      .member("re", &Reduction::re)
-      .member("im", &Reduction::im)
-      .picklable()
+  Record<Reduction> reduced(m, "Reduction",
+                            "A = reduced (re + im i): what turns about the tangent, and what "
+                            "only scales, divided out.");
+  reduced.field("reduced", &Reduction::reduced)
+      .field("re", &Reduction::re)
+      .field("im", &Reduction::im)
       .def("was_reduced", &Reduction::was_reduced, "True when nothing was divided out.")
       .def("content", &Reduction::content, "re^2 + im^2, the content of A i A*.");
   m.def(
       "reduction", [](const QuaternionArgument& a) { return reduction(a.value).value(); },
       py::arg("a"), "The reduction of A with respect to i. Raises HodographError for A = 0.");
-  ValueClass<PoleStratum> stratum(m, "PoleStratum", "The poles of one order.");
-  stratum.member("order", &PoleStratum::order)
-      .member("poles", &PoleStratum::poles,
-              "Its roots are the roots of alpha of that multiplicity.")
-      .member("rank_two", &PoleStratum::rank_two)
-      .member("rank_one", &PoleStratum::rank_one)
-      .picklable()
+  Record<PoleStratum> stratum(m, "PoleStratum", "The poles of one order.");
+  stratum.field("order", &PoleStratum::order)
+      .field("poles", &PoleStratum::poles, "Its roots are the roots of alpha of that multiplicity.")
+      .field("rank_two", &PoleStratum::rank_two)
+      .field("rank_one", &PoleStratum::rank_one)
       .def("freedom", &PoleStratum::freedom);
-  ValueClass<Existence> answer(m, "Existence",
-                               "Whether truly rational PH curves exist, why, and how many.");
-  ValueClass<Existence::Dimension>(answer, "Dimension", "The dimension of a space.")
-      .member("value", &Existence::Dimension::value)
-      .member("exact", &Existence::Dimension::exact, "Else it is a lower bound.")
-      .picklable();
-  answer.member("exists", &Existence::exists)
-      .member("freedom", &Existence::freedom, "N.")
-      .member("strata", &Existence::strata, "By increasing order.")
-      .member("reason", &Existence::reason)
-      .member("alpha_degree", &Existence::alpha_degree)
-      .member("indicatrix_degree", &Existence::indicatrix_degree)
-      .member("tail_ranks", &Existence::tail_ranks)
-      .picklable()
+  Record<Existence> answer(m, "Existence",
+                           "Whether truly rational PH curves exist, why, and how many.");
+  Record<Existence::Dimension>(answer, "Dimension", "The dimension of a space.")
+      .field("value", &Existence::Dimension::value)
+      .field("exact", &Existence::Dimension::exact, "Else it is a lower bound.");
+  answer.field("exists", &Existence::exists)
+      .field("freedom", &Existence::freedom, "N.")
+      .field("strata", &Existence::strata, "By increasing order.")
+      .field("reason", &Existence::reason)
+      .field("alpha_degree", &Existence::alpha_degree)
+      .field("indicatrix_degree", &Existence::indicatrix_degree)
+      .field("tail_ranks", &Existence::tail_ranks)
       .def("dimension", &Existence::dimension, py::arg("d"), "Of the space of degree d.");
   m.def(
       "existence",
       [](const QuaternionArgument& a, const PolynomialArgument& alpha) {
+        require_small(a.value, alpha.value);
         return unlocked([&] { return existence(a.value, alpha.value).value(); });
       },
       py::arg("a"), py::arg("alpha"),
@@ -160,13 +163,16 @@ void bind_spaces(py::module_& m) {
   m.def(
       "solve",
       [](const QuaternionArgument& a, const PolynomialArgument& alpha, std::size_t degree) {
+        require_small(a.value, alpha.value);
         return unlocked([&] { return solve(a.value, alpha.value, degree).value(); });
       },
       py::arg("a"), py::arg("alpha"), py::arg("degree"),
       "The space of a quaternion polynomial A, a denominator and a degree of B. Exact.\nRaises "
-      "HodographError: outside_domain (A = 0, alpha = 0), unsupported (degrees).");
+      "HodographError: outside_domain (A = 0, alpha = 0), unsupported (degrees; numbers with more "
+      "digits than\nthe program takes).");
   m.attr("largest_input_degree") = largest_input_degree;
   m.attr("largest_solution_degree") = largest_solution_degree;
+  add_equality_of_states(py::type::of<SolutionSpace>());
 }
 
 }  // namespace hodograph::python

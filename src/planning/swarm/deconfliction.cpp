@@ -232,6 +232,18 @@ std::optional<Fault> moves_fault(const char* quantity, double value) {
                0.0};
 }
 
+/// The fault of more moves than are offered.
+std::optional<Fault> count_fault(const char* quantity, std::size_t count) {
+  if (count <= most_moves) return std::nullopt;
+  return Fault{FaultCode::outside_domain,
+               "there may be at most " + std::to_string(most_moves) + " " + quantity + "; got " +
+                   std::to_string(count),
+               std::nullopt,
+               quantity,
+               static_cast<double>(count),
+               static_cast<double>(most_moves)};
+}
+
 /// The vehicles that stay as they are, each its only candidate; their names where they are not
 /// there yet.
 void add_others(std::span<const Vehicle> others, std::vector<Candidates>& candidates,
@@ -254,6 +266,7 @@ Result<DelayedSwarm> deconflict_by_delays(std::span<const Vehicle> vehicles, con
                                           const DelayMoves& moves,
                                           std::span<const Vehicle> others) {
   if (auto fault = moves_fault("longest_delay", moves.longest_delay)) return *std::move(fault);
+  if (auto fault = count_fault("delays", moves.delays)) return *std::move(fault);
   auto close = close_pairs(planning_detail::with_others(vehicles, others), goal);
   if (!close) return close.fault();
   std::erase_if(*close, [&](const ClosePair& pair) { return pair.first >= vehicles.size(); });
@@ -295,7 +308,9 @@ Result<SeparatedArrival> deconflict_arrival(std::span<const ArrivingVehicle> veh
   if (auto fault = moves_fault("longest_delay", moves.departure.longest_delay)) {
     return *std::move(fault);
   }
+  if (auto fault = count_fault("delays", moves.departure.delays)) return *std::move(fault);
   if (auto fault = moves_fault("latest_excess", moves.latest_excess)) return *std::move(fault);
+  if (auto fault = count_fault("later_arrivals", moves.later_arrivals)) return *std::move(fault);
   if (!std::isfinite(arrival)) return moves_fault("arrival", arrival).value();
   double longest = 0.0;
   std::vector<std::string> names;

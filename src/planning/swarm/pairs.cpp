@@ -56,7 +56,11 @@ std::optional<Fault> swarm_fault(std::span<const Vehicle> vehicles, const SwarmG
           number_fault("relative_width", separation.relative_width, false, std::nullopt, "")) {
     return fault;
   }
-  return number_fault("vertical_scale", separation.vertical_scale, false, std::nullopt, "");
+  if (auto fault =
+          number_fault("vertical_scale", separation.vertical_scale, false, std::nullopt, "")) {
+    return fault;
+  }
+  return planning_detail::scale_fault(separation.vertical_scale);
 }
 
 double required_of(const Vehicle& a, const Vehicle& b, const SwarmGoal& goal) {

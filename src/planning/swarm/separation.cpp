@@ -27,7 +27,8 @@ std::optional<Fault> positive_fault(const char* quantity, double value) {
 
 std::optional<Fault> goal_fault(const SeparationGoal& goal) {
   if (auto fault = positive_fault("relative_width", goal.relative_width)) return fault;
-  return positive_fault("vertical_scale", goal.vertical_scale);
+  if (auto fault = positive_fault("vertical_scale", goal.vertical_scale)) return fault;
+  return planning_detail::scale_fault(goal.vertical_scale);
 }
 
 Fault window_fault(const TimedMotion& a, const TimedMotion& b) {

@@ -3,11 +3,26 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "hodograph/foundation/fault.hpp"
+#include "hodograph/planning/swarm/separation.hpp"
 #include "moving_pair.hpp"
 
 namespace hodograph::planning_detail {
+
+/// The fault of heights that count too often.
+inline std::optional<Fault> scale_fault(double vertical_scale) {
+  if (vertical_scale <= largest_vertical_scale) return std::nullopt;
+  return Fault{FaultCode::outside_domain,
+               "the vertical_scale must be at most " + to_text(largest_vertical_scale) + "; got " +
+                   to_text(vertical_scale),
+               std::nullopt,
+               "vertical_scale",
+               vertical_scale,
+               largest_vertical_scale};
+}
 
 /// The times that divide a pair's clock to begin with, in order: the ends, where a motion starts or
 /// arrives (no interval may contain such a time inside: speed jumps there), where its acceleration

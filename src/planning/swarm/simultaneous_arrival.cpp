@@ -202,6 +202,15 @@ std::optional<Fault> arriving_fault(std::span<const ArrivingVehicle> vehicles) {
 std::optional<Fault> search_fault(const ArrivalSearch& search) {
   if (auto fault = unusable("most_excess", search.most_excess, false)) return fault;
   if (auto fault = unusable("resolution", search.resolution, false)) return fault;
+  if (search.steps > most_arrival_steps) {
+    return Fault{FaultCode::outside_domain,
+                 "there may be at most " + std::to_string(most_arrival_steps) + " steps; got " +
+                     std::to_string(search.steps),
+                 std::nullopt,
+                 "steps",
+                 static_cast<double>(search.steps),
+                 static_cast<double>(most_arrival_steps)};
+  }
   return unusable("steps", static_cast<double>(search.steps), false);
 }
 

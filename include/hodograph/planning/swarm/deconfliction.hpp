@@ -17,10 +17,13 @@
 
 namespace hodograph {
 
+/// The most delays, and the most later arrivals, that are offered: all candidates are made.
+inline constexpr std::size_t most_moves = 10000;
+
 /// Departures later by 0, longest_delay/delays, ..., longest_delay.
 struct DelayMoves {
   double longest_delay = 0.0;
-  std::size_t delays = 0;
+  std::size_t delays = 0;  ///< at most most_moves
   /// The search gives up after this many choices, over all arrival times.
   std::size_t most_choices = 100000;
 };
@@ -31,7 +34,7 @@ struct ArrivalMoves {
   bool other_solution = true;  ///< the formal solution with the larger rotation index, too
   /// Arrival later by up to this fraction of the longest flight, at `later_arrivals` times more.
   double latest_excess = 0.0;
-  std::size_t later_arrivals = 0;
+  std::size_t later_arrivals = 0;  ///< at most most_moves
 };
 
 /// What a search did.
@@ -50,10 +53,10 @@ struct DelayedSwarm {
 /// Delays some of the vehicles, whatever their paths, so that all pairs keep the goal's distance,
 /// also from `others`, which stay as they are (pairs of two of them are not looked at). In
 /// sentences the others are counted on after the vehicles. Faults: those of close_pairs;
-/// outside_domain (a delay that is negative or not finite); not_separated: no choice within the
-/// search does; the sentence says whether that is proven (all combinations ruled out) or the search
-/// gave up, and names a pair with its distance and the required one, of all candidates of a pair
-/// that are never apart if there is such a pair.
+/// outside_domain (a delay that is negative or not finite, too many of them); not_separated: no
+/// choice within the search does; the sentence says whether that is proven (all combinations ruled
+/// out) or the search gave up, and names a pair with its distance and the required one, of all
+/// candidates of a pair that are never apart if there is such a pair.
 Result<DelayedSwarm> deconflict_by_delays(std::span<const Vehicle> vehicles, const SwarmGoal& goal,
                                           const DelayMoves& moves,
                                           std::span<const Vehicle> others = {});

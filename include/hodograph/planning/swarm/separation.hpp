@@ -21,6 +21,10 @@
 
 namespace hodograph {
 
+/// Above it heights would drown what distances there are in the plane: 2^20 leaves them half of the
+/// digits of a double.
+inline constexpr double largest_vertical_scale = 0x1.0p20;
+
 /// How a distance is measured and how far it is refined.
 struct SeparationGoal {
   /// The enclosure's width over the shorter path's length. Rounding (some 1e-13 of the lengths and
@@ -28,7 +32,8 @@ struct SeparationGoal {
   /// the same.
   double relative_width = 0x1.0p-30;  // not a tolerance: the accuracy asked for, 9.3e-10
   /// Heights count times this: 1/3 for rotorcraft whose downwash reaches three times as far as
-  /// their sides, so that the distance is the ellipsoidal norm |(x, y, z/3)|. Positive.
+  /// their sides, so that the distance is the ellipsoidal norm |(x, y, z/3)|. Positive, at most
+  /// largest_vertical_scale.
   double vertical_scale = 1.0;
   std::size_t most_evaluations = 1000000;
 };

@@ -60,6 +60,9 @@ Result<ArrivingPath> arriving_path(const ArrivingVehicle& vehicle, double arriva
 /// feasible, a later arrival or a larger curvature, looked for as least_arrival does.
 Result<SimultaneousArrival> arrival_at(std::span<const ArrivingVehicle> vehicles, double arrival);
 
+/// The most steps that a search for an arrival time takes.
+inline constexpr std::size_t most_arrival_steps = 100000;
+
 /// Where the least arrival is looked for: from the earliest (all directions left aside) up to
 /// `most_excess` times the longest straight flight later, at `steps` + 1 times whose distances grow
 /// in proportion; then between the last time that does not serve and the first that does, by
@@ -67,7 +70,7 @@ Result<SimultaneousArrival> arrival_at(std::span<const ArrivingVehicle> vehicles
 /// (a longer path may turn more), so an earlier one might hide between two of the times looked at.
 struct ArrivalSearch {
   double most_excess = 1.0;
-  std::size_t steps = 64;
+  std::size_t steps = 64;         ///< 1 to most_arrival_steps
   double resolution = 0x1.0p-20;  // not a tolerance: how closely the least time is looked for
 };
 
