@@ -138,14 +138,23 @@ Command::Command(CLI::App& program, const std::string& name, const std::string& 
 CLI::Option* Command::add(const std::string& names, std::string& target) {
   return app_->add_option(names, target);
 }
+namespace {
+
+/// CLI11 reads nothing as 0.
+std::string said_something(const std::string& word) {
+  return word.empty() ? "a number is missing" : "";
+}
+
+}  // namespace
+
 CLI::Option* Command::add(const std::string& names, double& target) {
-  return app_->add_option(names, target);
+  return app_->add_option(names, target)->check(said_something);
 }
 CLI::Option* Command::add(const std::string& names, std::size_t& target) {
-  return app_->add_option(names, target);
+  return app_->add_option(names, target)->check(said_something);
 }
 CLI::Option* Command::add(const std::string& names, std::vector<double>& target) {
-  return app_->add_option(names, target);
+  return app_->add_option(names, target)->check(said_something);
 }
 CLI::Option* Command::add(const std::string& names, std::vector<std::string>& target) {
   return app_->add_option(names, target);

@@ -248,6 +248,23 @@ Result<PolynomialFlight> polynomial_flight(const AnyPath& path, const TimedMotio
                  tolerance,
                  0.0};
   }
+  // Their rounding alone: each piece is computed within so many ε of its coordinates.
+  double far = 0.0;
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const double time = motion.start_time() * (1.0 - share) + motion.end_time() * share;
+    far = std::max(far, norm(motion.position(time)));
+  }
+  constexpr double roundings = 32.0;
+  if (const double least = roundings * eps * far; !(tolerance > least)) {
+    return Fault{FaultCode::tolerance_not_reached,
+                 "the tolerance of the polynomials is " + to_text(tolerance) +
+                     ", within the rounding of their coordinates; it must be above " +
+                     to_text(least),
+                 std::nullopt,
+                 "tolerance",
+                 tolerance,
+                 least};
+  }
   try {
     PolynomialFlight flight;
     if (motion.start_time() > begin) {

@@ -474,6 +474,13 @@ std::optional<Fault> wish_fault(const LoopPlacement& placement, const LoopWish& 
     return refused(FaultCode::not_finite,
                    "the point to pass near has a coordinate that is not a finite number", "point");
   }
+  if (wish.purpose == LoopPurpose::near_point &&
+      !std::isfinite(dot(wish.point - placement.start, wish.point - placement.start))) {
+    return refused(FaultCode::outside_domain,
+                   "the point to pass near is too far from the start: the square of its distance "
+                   "must be a finite number",
+                   "point");
+  }
   if (wish.purpose == LoopPurpose::extents) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (!(std::isfinite(wish.extents[j]) && wish.extents[j] >= 0.0)) {

@@ -106,6 +106,24 @@ std::optional<Fault> fault_of(const std::vector<RationalBezierCurve<Point>>& pie
   return std::nullopt;
 }
 
+/// Areas and cross products of coordinates keep their digits.
+std::optional<Fault> range_fault(const std::vector<RationalBezier>& pieces) {
+  constexpr double most = 0x1.0p+500, least = 0x1.0p-500;  // their squares are doubles
+  double size = 0.0;
+  for (const auto& piece : pieces) {
+    for (const auto& p : piece.control_points) size = std::max(size, largest_component(p));
+  }
+  if (size <= most && (size >= least || size == 0.0)) return std::nullopt;
+  const double bound = size > most ? most : least;
+  return Fault{FaultCode::outside_domain,
+               "the profile reaches " + to_text(size) + " from the path; between " +
+                   to_text(least) + " and " + to_text(most) + " is what can be computed with",
+               std::nullopt,
+               "profile",
+               size,
+               bound};
+}
+
 /// Twice the area that closed pieces enclose, ∮ x dy - y dx, positive counterclockwise; by
 /// Simpson's rule on `parts` parts a piece: its sign is what is asked for.
 double twice_signed_area(const std::vector<RationalBezier>& pieces) {
@@ -247,6 +265,7 @@ Result<Profile> Profile::polyline(std::span<const Vector2<double>> points) {
 
 Result<Profile> Profile::of(std::vector<RationalBezier> pieces, bool closed, SelfContact contact) {
   if (auto fault = fault_of(pieces, closed)) return *fault;
+  if (auto fault = range_fault(pieces)) return *fault;
   if (contact == SelfContact::refuse) {
     if (const auto at = surface_detail::self_contact(pieces, closed)) {
       return Fault{FaultCode::unsupported,

@@ -108,7 +108,13 @@ Result<std::vector<RationalPatch>> rational_patches(const Sweep& sweep) {
 
 Result<std::vector<SpatialRationalBezier>> offset_track(const Motion& motion,
                                                         const Vector3<double>& point) {
+  const auto not_finite = [&](const std::string& sentence) {
+    return Fault{FaultCode::not_finite, sentence,    std::nullopt, "point",
+                 std::nullopt,          std::nullopt};
+  };
+  if (!is_finite(point)) return not_finite("the point of the track is not finite");
   std::vector<SpatialRationalBezier> curves;
+  bool finite = true;
   const auto fault =
       for_each_exact_piece(motion, [&](const MotionPiece& part, const ExactPiece& exact) {
         const RationalPatch patch = patch_of(part, exact, {0.0, 1.0, {point, point}, {1.0, 1.0}});
@@ -117,10 +123,12 @@ Result<std::vector<SpatialRationalBezier>> offset_track(const Motion& motion,
           const double weight = patch.weights[patch.index(i, 0)];
           curve.weights.push_back(weight);
           curve.control_points.push_back((1.0 / weight) * patch.weighted[patch.index(i, 0)]);
+          finite = finite && is_finite(curve.control_points.back());
         }
         curves.push_back(std::move(curve));
       });
   if (fault) return *fault;
+  if (!finite) return not_finite("the track leaves the range of numbers; the point is too far");
   return curves;
 }
 

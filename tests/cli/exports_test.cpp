@@ -179,6 +179,13 @@ TEST(PlanExports, RefuseWhatTheyCannotWrite) {
   refused({"--wpl", "p.txt", "--datum", "91,0,0"}, "latitude");
   refused({"--geojson", "p.geojson", "--chord", "0"}, "positive");
   refused({"--csv", "p.csv", "--tolerance", "1"}, "--crazyswarm");
+  refused({"--crazyswarm", "p.cs", "--speed", ""}, "a number is missing");
+  // Below the rounding there is no end to halving.
+  const Outcome endless = program.run({"plan", harbour(), "--turn-radius", "3", "-o", "q.json",
+                                       "--crazyswarm", "p.cs", "--tolerance", "1e-300"});
+  EXPECT_EQ(endless.code, 3) << endless.err;
+  EXPECT_NE(endless.err.find("within the rounding"), std::string::npos) << endless.err;
+  EXPECT_FALSE(std::filesystem::exists(program.path("p.cs")));
 }
 
 TEST(PlanComparison, ShowsWhatTheRulesBreak) {

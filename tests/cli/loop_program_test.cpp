@@ -82,6 +82,9 @@ TEST(LoopCommand, RefusesInOneLine) {
                                              {"--direction", "0,0,0"},
                                              {"--normal", "1,0,0"},
                                              {"--near", "1,nan,2"},
+                                             {"--near", "1e308,1e308,0"},
+                                             {"--xi", ""},
+                                             {"--start", "1,,2"},
                                              {"--within", "1,1,1,2,2,2"},
                                              {"--limit", "positive", "--for", "least-energy"}}) {
     std::vector<std::string> all = {"loop"};

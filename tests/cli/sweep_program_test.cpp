@@ -81,6 +81,13 @@ TEST(ProgramSweep, WritesTracksAndTubularFamilies) {
   EXPECT_EQ(family.code, 0) << family.err;
   EXPECT_NE(family.out.find("a tubular family"), std::string::npos);
   EXPECT_NE(family.out.find("Area                 6\n"), std::string::npos) << family.out;
+  // A loop out of any plane, carried, is free of contact with itself; carried nowhere it is not.
+  ASSERT_EQ(program.run({"loop", "--xi", "1", "--psi", "2", "-o", "loop.json"}).code, 0);
+  const auto carried = [&](const char* along) {
+    return program.run({"sweep", "loop.json", "--along", along, "-o", "vase.obj"}).out;
+  };
+  EXPECT_NE(carried("0,0,0,0,0,2").find("none, certified"), std::string::npos);
+  EXPECT_NE(carried("0,0,0,0,0,0").find("not excluded, undecided"), std::string::npos);
   expect_refused(program.run({"sweep", "path.json", "--along", "0,0,0,1", "-o", "x.stl"}),
                  "it takes 3 for each coefficient");
   expect_refused(program.run({"sweep", "path.json", "--track", "1,0", "--circle", "1"}),
@@ -132,6 +139,13 @@ TEST(ProgramSweep, RefusesInOneLineAndLeavesNoFile) {
   refused({"--circle", "1", "-t", "1e-6", "--most-triangles", "100", "-o", "x.stl"}, "more than");
   refused({"--circle", "1", "-o", "x.xyz"}, "does not tell the format");
   refused({"--profile", "path.json", "-o", "x.stl"}, "in space");
+  // Nothing is no number; numbers whose squares are none are too large and too small.
+  refused({"--circle", "", "-o", "x.stl"}, "a number is missing");
+  refused({"--circle", "1", "--scale", "", "-o", "x.stl"}, "a number is missing");
+  refused({"--circle", "1e300", "-o", "x.stl"}, "reaches 1e+300");
+  refused({"--rectangle", "1e-300,1e-300", "-o", "x.stl"}, "from the path; between");
+  refused({"--track", "nan,1", "-o", "x.json"}, "not finite");
+  refused({"--track", "inf,0", "-o", "x.csv"}, "not finite");
 }
 
 TEST(ProgramSweep, TubesThatMeetThemselvesAreRefusedWithTheRadius) {

@@ -45,7 +45,8 @@ class Profile {
   static Result<Profile> polyline(std::span<const Vector2<double>> points);
   /// Rational curves in sequence.
   /// Faults, with the index of the piece: too_few (no piece), mismatched_size (weights),
-  /// not_finite, outside_domain (a weight that is not positive; a closed profile without area),
+  /// not_finite, outside_domain (a weight that is not positive; a closed profile without area; one
+  /// that reaches further than 2^500 or less far than 2^-500),
   /// not_continuous (a piece that starts elsewhere than the one before it ends, beyond
   /// accuracy::join_error; closed: also the last and the first), unsupported (it touches or crosses
   /// itself, or comes so near that rounding cannot tell).

@@ -47,7 +47,8 @@ Result<std::vector<RationalPatch>> rational_patches(const Sweep& sweep);
 
 /// The track of one point p of the frame, c + λ R p, as exact rational Bézier curves: an offset
 /// track, the edge of a ribbon. One curve a piece of the motion (halved as above).
-/// Faults: those of rational_patches.
+/// Faults: those of rational_patches; not_finite (the point, or a track out of the range of
+/// numbers).
 Result<std::vector<SpatialRationalBezier>> offset_track(const Motion& motion,
                                                         const Vector3<double>& point);
 
