@@ -13,7 +13,7 @@ if(HODOGRAPH_WIDE_KERNELS AND CMAKE_SIZEOF_VOID_P EQUAL 8
    AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$"
    AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   list(APPEND hodograph_instruction_sets avx2 avx512)
-  set(hodograph_flags_of_avx2 -mavx2)
+  set(hodograph_flags_of_avx2 -mavx2 -mfma)
   set(hodograph_flags_of_avx512 -mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
   set_source_files_properties("${PROJECT_SOURCE_DIR}/src/path/kernel_dispatch.cpp"
     "${PROJECT_SOURCE_DIR}/src/frame/rolled_frames.cpp"

@@ -30,7 +30,7 @@ InstructionSet choose() {
       __builtin_cpu_supports("avx512vl")) {
     return {"avx512", avx512::find};
   }
-  if (__builtin_cpu_supports("avx2")) return {"avx2", avx2::find};
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return {"avx2", avx2::find};
 #endif
   return {"baseline", baseline::find};
 }

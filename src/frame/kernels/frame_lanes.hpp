@@ -3,10 +3,6 @@
 // HODOGRAPH_KERNEL_LANES is defined; everything here belongs to the including file alone.
 #pragma once
 
-#if defined(__AVX512F__)
-#include <immintrin.h>
-#endif
-
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -17,6 +13,13 @@
 
 #if !defined(HODOGRAPH_KERNEL_ISA) || !defined(HODOGRAPH_KERNEL_LANES)
 #error "define the instruction set and the number of lanes first"
+#endif
+#if HODOGRAPH_KERNEL_LANES == 8 && defined(__AVX512F__)
+#include <immintrin.h>
+#define HODOGRAPH_FUSED _mm512_fmadd_pd
+#elif HODOGRAPH_KERNEL_LANES == 4 && defined(__FMA__)
+#include <immintrin.h>
+#define HODOGRAPH_FUSED _mm256_fmadd_pd
 #endif
 
 namespace hodograph::frame_detail {
@@ -46,12 +49,12 @@ INLINED inline void repeat(const Body& body) {
 /// a b + c, rounded once where the instruction set can (the frames are within their bounds either
 /// way; nothing else depends on it).
 [[gnu::always_inline]] inline P multiply_add(const P& a, const P& b, const P& c) {
-#if defined(__AVX512F__)
+#if defined(HODOGRAPH_FUSED)
   P::Lanes x, y, z;
   __builtin_memcpy(&x, &a, sizeof(x));
   __builtin_memcpy(&y, &b, sizeof(y));
   __builtin_memcpy(&z, &c, sizeof(z));
-  return P(P::Lanes(_mm512_fmadd_pd(x, y, z)));
+  return P(P::Lanes(HODOGRAPH_FUSED(x, y, z)));
 #else
   return a * b + c;
 #endif
