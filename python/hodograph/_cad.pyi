@@ -2,7 +2,7 @@
 # Written by tools/make_stubs from the built package; do not edit.
 
 import os
-from typing import Any
+from typing import Any, ClassVar
 
 from ._core import Sweep
 
@@ -19,6 +19,8 @@ class StepModel:
     def text(self) -> str: ...
     def __copy__(self) -> StepModel: ...
     def __deepcopy__(self, memo: dict[str, Any]) -> StepModel: ...
+    def __eq__(self, other: object) -> bool: ...
+    __hash__: ClassVar[None]  # type: ignore[assignment]
     def __repr__(self) -> str: ...
 
 largest_cad_degree: int
