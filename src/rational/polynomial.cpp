@@ -86,6 +86,7 @@ RationalPolynomial RationalPolynomial::derivative() const {
 }
 RationalPolynomial RationalPolynomial::taylor_coefficient(std::size_t k) const {
   RationalPolynomial result;
+  if (k >= static_cast<std::size_t>(fmpq_poly_length(raw(*this)))) return result;  // spare k!
   fmpq_poly_nth_derivative(raw(result), raw(*this), static_cast<ulong>(k));
   fmpz_t factorial;
   fmpz_init(factorial);

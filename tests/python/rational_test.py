@@ -39,6 +39,15 @@ class Polynomials(unittest.TestCase):
         self.assertEqual(str(p), "t^2 - 1/2*t + 3/4")
         self.assertEqual(RationalPolynomial().degree, -1)
 
+    def test_coefficients_above_the_degree_are_zero(self):
+        p = RationalPolynomial("t^2 - 2")
+        self.assertEqual(p.taylor_coefficient(1), RationalPolynomial("2t"))
+        self.assertEqual(p.taylor_coefficient(2), 1)
+        for k in (3, 2**40):  # soon, without k!
+            self.assertEqual(p.taylor_coefficient(k), 0)
+            self.assertEqual(VectorPolynomial([p, 1, 0]).taylor_coefficient(k),
+                             VectorPolynomial([0, 0, 0]))
+
     def test_are_a_ring_with_division(self):
         a, b = RationalPolynomial("3t^5 - t^2 + 7/3"), RationalPolynomial("2t^2 + t - 1")
         for t in (Fraction(0), Fraction(2, 7), Fraction(-5)):
