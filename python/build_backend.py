@@ -5,7 +5,7 @@ It runs CMake with the preset `release` for the interpreter that pip runs under,
 so that a second installation compiles only what changed, and packs the package. It needs no Python
 package, so pip needs no network.
 
-Config settings (pip install . -C name=value) or environment variables:
+Config settings (pip install . --config-settings name=value) or environment variables:
 
   built=DIR      HODOGRAPH_BUILT      take the extension modules from this build directory and
                                       compile nothing
