@@ -57,9 +57,9 @@ class Signals(unittest.TestCase):
         self.stopped(lambda: hodograph.separation_matrix(vehicles, threads=2))
 
     def test_deconfliction(self):
-        vehicles = flyers(24)
+        vehicles = flyers(60)
         self.stopped(lambda: hodograph.deconflict_by_delays(
-            vehicles, 40.0, 60, most_choices=10**9, clearance=30.0))
+            vehicles, 60.0, 60, most_choices=10**9, clearance=2.0))
 
     def test_fits_of_arrays(self):
         t = np.linspace(0.0, 200.0, 20001)
