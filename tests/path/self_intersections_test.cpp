@@ -156,6 +156,27 @@ TEST(SelfIntersections, CornersAndClosingAreNone) {
   EXPECT_NEAR(at_knot[0].xi_first, 1.0, 64 * epsilon<double>());
 }
 
+TEST(SelfIntersections, SegmentsThatFollowEachOtherAreFoundToCrossToo) {
+  // Two segments in a row that together turn by half a circle to one and a half: some of the second
+  // ones cross the first, far from the join.
+  Random random("segments in a row that cross");
+  std::size_t crossings = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const double turn = random.uniform(1.6, 4.7);  // of the preimage: half that of the curve
+    BernsteinPolynomial<Complex<double>, 2> a, b;
+    for (std::size_t i = 0; i <= 2; ++i) {
+      const double size = random.uniform(0.5, 1.5), share = 0.25 * static_cast<double>(i);
+      a[i] = {size * std::cos(share * turn), size * std::sin(share * turn)};
+      b[i] = {size * std::cos((0.5 + share) * turn), size * std::sin((0.5 + share) * turn)};
+    }
+    b[0] = a[2];
+    const PlanarPhCurve<2> first({}, a, 1.0), second(first.end(), b, 1.0);
+    crossings +=
+        expect_as_sampled(PlanarPath<2>::create({0.0, 1.0, 2.0}, {first, second}, false).value());
+  }
+  EXPECT_GT(crossings, 5U);
+}
+
 TEST(SelfIntersections, WhatIsGoneThroughTwiceIsUndecided) {
   // To the end of a line and back on it.
   const auto there = self_intersections(polyline({{0, 0}, {1, 0}, {0, 0}}, false));

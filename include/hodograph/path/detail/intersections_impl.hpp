@@ -200,7 +200,7 @@ class PathMeetings {
   /// with itself. In doubles, quick and by a wide margin: of the largest coefficient of the rates,
   /// rounding takes some 2^-48, and an end that reaches 2^-20 further some 2^-14.
   static bool go_one_way(const PlanarPhCurve<n>& a, const PlanarPhCurve<n>& b) {
-    constexpr double margin = 0x1.0p-10;
+    constexpr double margin = 0x1.0p-10;  // some 2^4 times what ends reach further
     const std::array rates{a.hodograph().coefficients(), b.hodograph().coefficients()};
     Vector2<double> way{};
     std::array<double, 2> sizes{};
