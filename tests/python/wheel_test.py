@@ -40,7 +40,8 @@ class Wheel(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        cls.wheel = cls.pip("wheel", "--no-deps", "-w", cls.folder, _ROOT).folder_file("*.whl")
+        cls.wheel = cls.pip("wheel", "--no-deps", "-w", cls.folder, "--config-settings",
+                            f"built={_BUILT}", _ROOT, HODOGRAPH_BUILT="").folder_file("*.whl")
 
     @classmethod
     def pip(cls, command, *arguments, python=sys.executable, fails=False, **more):
