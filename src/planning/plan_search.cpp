@@ -139,9 +139,9 @@ class Search {
       return grow_by(extra);
     }
     if (request_.aim == CornerAim::smallest) return std::nullopt;
+    auto polyline = shortest_polyline(mitred_, query({}, {}));
+    if (!polyline) return polyline.fault();
     for (int k = 0; k < most_rounds; ++k) {
-      const auto polyline = shortest_polyline(mitred_, query({}, {}));
-      if (!polyline) return k == 0 ? std::optional(polyline.fault()) : std::nullopt;
       double needed = 0.0;
       for (const auto& shape : shapes_of(*polyline)) {
         if (shape) needed = std::max(needed, factor(*shape));
@@ -150,11 +150,15 @@ class Search {
       extra = needed * (1.0 + offset_margin);
       // Where that closes the way, or takes in start or goal, corners get their own offsets.
       const MitredWorld before = mitred_;
-      if (grow_by(extra) || !shortest_polyline(mitred_, query({}, {}))) {
+      if (grow_by(extra)) break;
+      auto next = shortest_polyline(mitred_, query({}, {}));
+      if (!next) {
         mitred_ = before;
         break;
       }
+      polyline = std::move(next);
     }
+    common_ = *std::move(polyline);
     return std::nullopt;
   }
   std::optional<Fault> grow_by(double extra) {
@@ -176,7 +180,10 @@ class Search {
     const double beyond = request_.corner_offset ? *request_.corner_offset : 0.0;
     std::optional<Crowded> raised_at;
     for (int k = 0;; ++k) {
-      auto polyline = shortest_polyline(mitred_, query(attempt, offsets));
+      const bool is_common = offsets.empty() && attempt.forbidden.empty();
+      auto polyline = is_common && common_ ? Result<Polyline>(*common_)
+                                           : shortest_polyline(mitred_, query(attempt, offsets));
+      if (is_common && !common_ && polyline) common_ = *polyline;
       if (!polyline) {
         // An offset that was raised takes in the start or the goal, or closes the way.
         if (raised_at) return Outcome{{}, *std::move(raised_at)};
@@ -409,6 +416,7 @@ class Search {
   }
 
   MitredWorld mitred_;
+  std::optional<Polyline> common_{};  // the shortest one in that world, nothing forbidden or raised
   const ClearanceIndex& clearance_;
   const VehicleLimits& limits_;
   const PlanRequest& request_;
