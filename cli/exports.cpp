@@ -22,10 +22,6 @@ struct ExportFlags::Given {
 
 namespace {
 
-void write_text(const std::string& file, const std::string& text) {
-  if (const auto fault = write_file(file, text)) throw Error(*fault);
-}
-
 /// Rounded up to three digits.
 std::string bound_text(double bound) {
   constexpr double three_digits = 1.0 + 1.0 / 128.0;  // rounding takes off at most 1/200
@@ -45,6 +41,40 @@ std::optional<GeodeticPoint> datum_of(const std::vector<double>& numbers) {
   GeodeticPoint datum{numbers[0], numbers[1], numbers.size() > 2 ? numbers[2] : 0.0};
   if (const auto fault = fault_of(datum, "the datum")) throw Error(*fault);
   return datum;
+}
+
+void add_sample_count(Command& command, std::size_t& count, const std::string& help) {
+  command.option("--samples", count, "N", help + " (default " + std::to_string(count) + ")")
+      .whole_number(2, 10'000'000);
+}
+
+void add_datum(Command& command, std::vector<double>& datum) {
+  command
+      .option("--datum", datum, "LAT,LON,ALT",
+              "where the origin is (degrees, metres): x is east, y north; also for GeoJSON")
+      .list(2, 3);
+}
+
+void check_places(bool missions, const std::vector<double>& datum, std::optional<double> chord) {
+  if (missions && datum.empty()) {
+    refuse(
+        "waypoints of drones are latitudes and longitudes: say where the origin is by "
+        "--datum LAT,LON,ALT",
+        "datum");
+  }
+  if (!datum.empty()) datum_of(datum);
+  if (chord && !(*chord > 0.0 && std::isfinite(*chord))) {
+    throw Error(
+        Fault{FaultCode::outside_domain,
+              "the distance of the chords is " + to_text(*chord) + "; it should be positive",
+              std::nullopt, "chord", *chord, 0.0});
+  }
+}
+
+void write_files(const std::vector<std::pair<std::string, std::string>>& texts_of_files) {
+  for (const auto& [file, text] : texts_of_files) {
+    if (const auto fault = write_file(file, text)) throw Error(*fault);
+  }
 }
 
 std::vector<LocalWaypoint> waypoints_of(const AnyPath& path, const TimedMotion& motion,
@@ -131,8 +161,7 @@ void ExportFlags::add_to(Command& command, const std::string& chord_default) {
                  "the path in its world, as a line with what it promises");
   command.option("--csv", samples, "FILE",
                  "samples evenly spaced in time: place, speed, heading, curvature");
-  command.option("--samples", sample_count, "N", "how many (default 1001)")
-      .whole_number(2, 10'000'000);
+  add_sample_count(command, sample_count, "how many");
   command.option("--crazyswarm", crazyswarm, "FILE",
                  "a trajectory as CSV: polynomials of degree 7 in time, yaw 0");
   command.option("--qgroundcontrol", qgroundcontrol, "FILE",
@@ -145,10 +174,7 @@ void ExportFlags::add_to(Command& command, const std::string& chord_default) {
   number("--chord", chord, "E",
          "how near the lines between points stay to the path, certified (default: " +
              chord_default + ")");
-  command
-      .option("--datum", datum, "LAT,LON,ALT",
-              "where the origin is (degrees, metres): x is east, y north; also for GeoJSON")
-      .list(2, 3);
+  add_datum(command, datum);
   number("--altitude", altitude, "Z", "of a path in the plane (default 0)");
   number("--speed", speed, "V", "of the flight (default 1; waypoints: not said)");
   number("--acceleration", acceleration, "A", "from rest to rest, up to the speed");
@@ -177,19 +203,9 @@ Flight ExportFlags::flight() const {
 }
 
 void ExportFlags::check() const {
-  if (!(qgroundcontrol.empty() && waypoints.empty()) && datum.empty()) {
-    refuse(
-        "waypoints of drones are latitudes and longitudes: say where the origin is by "
-        "--datum LAT,LON,ALT",
-        "datum");
-  }
-  if (!datum.empty()) datum_of(datum);
   const Given& given = *given_;
-  if (given(Given::Index::chord) && !(chord > 0.0 && std::isfinite(chord))) {
-    throw Error(Fault{FaultCode::outside_domain,
-                      "the distance of the chords is " + to_text(chord) + "; it should be positive",
-                      std::nullopt, "chord", chord, 0.0});
-  }
+  check_places(!(qgroundcontrol.empty() && waypoints.empty()), datum,
+               given(Given::Index::chord) ? std::optional(chord) : std::nullopt);
   if (given(Given::Index::tolerance) && crazyswarm.empty()) {
     refuse("the tolerance is that of --crazyswarm; name its file, too", "tolerance");
   }
@@ -239,7 +255,7 @@ std::string ExportFlags::write(const PathDocument& document, GeoJsonScene scene,
     if (!qgroundcontrol.empty()) add(qgroundcontrol, to_qgroundcontrol_plan(planned).value(), what);
     if (!waypoints.empty()) add(waypoints, to_waypoint_file(planned).value(), what);
   }
-  for (const auto& [file, text] : files) write_text(file, text);
+  write_files(files);
   return written;
 }
 

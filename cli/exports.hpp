@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/command_line.hpp"
@@ -18,6 +19,14 @@ namespace hodograph::cli {
 
 /// The datum that --datum gives; nothing without it.
 std::optional<GeodeticPoint> datum_of(const std::vector<double>& numbers);
+
+/// What the options of one path and of a swarm have in common: --samples and --datum, what is
+/// refused (missions without a datum, a distance of chords that is none), and writing, all texts
+/// being made. Throw Error.
+void add_sample_count(Command& command, std::size_t& count, const std::string& help);
+void add_datum(Command& command, std::vector<double>& datum);
+void check_places(bool missions, const std::vector<double>& datum, std::optional<double> chord);
+void write_files(const std::vector<std::pair<std::string, std::string>>& texts_of_files);
 
 /// Waypoints along a path, every point of it within `chord` of the polyline through them. A planar
 /// path is flown at the altitude of its flight. Speeds: that of the flight where it is constant and

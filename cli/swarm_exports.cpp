@@ -9,19 +9,12 @@
 
 #include "cli/exports.hpp"
 #include "cli/made_path.hpp"
-#include "hodograph/io/file.hpp"
 #include "hodograph/io/table.hpp"
 
 namespace hodograph::cli {
 namespace {
 
 using NamedText = std::pair<std::string, std::string>;
-
-void write_all(const std::vector<NamedText>& files) {
-  for (const auto& [file, text] : files) {
-    if (const auto fault = write_file(file, text)) throw Error(*fault);
-  }
-}
 
 /// The fault of one vehicle's file names it.
 template <class T>
@@ -79,8 +72,7 @@ void SwarmExportFlags::add_to(Command& command) {
   command.option("--geojson", geojson, "FILE", "all paths, as lines with what they promise");
   command.option("--csv", samples, "FILE",
                  "where all vehicles are at times evenly spaced: a column for x, y and z of each");
-  command.option("--samples", sample_count, "N", "how many times (default 1001)")
-      .whole_number(2, 10'000'000);
+  add_sample_count(command, sample_count, "how many times");
   command.option("--qgroundcontrol", qgroundcontrol, "FOLDER",
                  "a plan of QGroundControl for every vehicle (.plan); metres, needs --datum");
   command.option("--wpl", waypoints, "FOLDER",
@@ -89,27 +81,14 @@ void SwarmExportFlags::add_to(Command& command) {
       "--chord", chord, "E",
       "how near the lines between points stay to the paths, certified (default: 1e-3 of the "
       "longest path)"));
-  command
-      .option("--datum", datum, "LAT,LON,ALT",
-              "where the origin is (degrees, metres): x is east, y north; also for GeoJSON")
-      .list(2, 3);
+  add_datum(command, datum);
 }
 
 bool SwarmExportFlags::chord_given() const { return chord_option_->given(); }
 
 void SwarmExportFlags::check() const {
-  if (!(qgroundcontrol.empty() && waypoints.empty()) && datum.empty()) {
-    throw Error(Fault{FaultCode::malformed_document,
-                      "waypoints of drones are latitudes and longitudes: say where the origin is "
-                      "by --datum LAT,LON,ALT",
-                      std::nullopt, "datum", std::nullopt, std::nullopt});
-  }
-  if (!datum.empty()) datum_of(datum);
-  if (chord_given() && !(chord > 0.0 && std::isfinite(chord))) {
-    throw Error(Fault{FaultCode::outside_domain,
-                      "the distance of the chords is " + to_text(chord) + "; it should be positive",
-                      std::nullopt, "chord", chord, 0.0});
-  }
+  check_places(!(qgroundcontrol.empty() && waypoints.empty()), datum,
+               chord_given() ? std::optional(chord) : std::nullopt);
 }
 
 std::string SwarmExportFlags::write(const SwarmFacts& facts) const {
@@ -164,7 +143,7 @@ std::string SwarmExportFlags::write(const SwarmFacts& facts) const {
       written.append(": lines between waypoints ").append(near).append("\n");
     }
   }
-  write_all(files);
+  write_files(files);
   return written;
 }
 

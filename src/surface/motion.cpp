@@ -15,12 +15,7 @@
 namespace hodograph {
 namespace {
 
-using surface_detail::enclosed;
-using surface_detail::largest;
-using surface_detail::least;
-using surface_detail::product_up;
-using surface_detail::quotient_up;
-using surface_detail::sum_up;
+using namespace surface_detail;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
