@@ -257,7 +257,8 @@ def of_cad():
     h = hodograph
     if "step_of" not in h.__all__:
         return
-    yield h.step_of(h.Sweep(h.Motion.along(lifted_swerve()), h.Profile.circle(0.1)))
+    sweep = h.Sweep(h.Motion.along(lifted_swerve()), h.Profile.circle(0.1))
+    yield sweep, h.step_of(sweep)
 
 
 ROOTS = (of_core, of_orbit, of_rational, of_control, of_cad)
