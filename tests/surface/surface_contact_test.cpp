@@ -157,10 +157,11 @@ TEST(SurfaceContact, NeverExcludesWhatIsNoSurface) {
   // surface.
   EXPECT_FALSE(contact_of(family(curve(crossing(0.0)), {{0, 0, 0}, {0, 0, 1}})).free);
   // Numbers at the ends of what doubles hold.
-  for (const double unit : {1e-300, 1e-160, 1e-80, 1e80, 1e160, 1e300}) {
+  for (const int exponent : {-300, -160, -80, 80, 160, 300}) {
+    const double unit = std::pow(10.0, exponent);
     const Profile scaled = curve({{0, 0, 0}, {unit, unit, 0.5 * unit}, {2 * unit, 0, unit}});
     EXPECT_FALSE(contact_of(family(scaled, {{0, 0, 0}})).free) << unit;
-    if (std::abs(std::log10(unit)) > 170.0) continue;
+    if (std::abs(exponent) > 170) continue;
     EXPECT_TRUE(contact_of(family(scaled, {{0, 0, 0}, {0, 0, 3 * unit}})).free) << unit;
   }
 }
@@ -289,16 +290,17 @@ TEST(SurfaceContact, DecidesTheFamiliesOfLoops) {
   const AnyPath loop(closed_loop({1.0, 2.0}).value());
   const Profile profile = Profile::in_space(loop).value();
   EXPECT_TRUE(profile.is_closed());
+  constexpr double nearly = 1.0 / 8192.0;  // of the loop's size: far from any contact
   for (const Vector3<double>& way :
        {Vector3<double>{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}) {
     bool before = true;
-    for (const double by : {1e-4, 0.01, 0.1, 1.0}) {
+    for (const double by : {nearly, 0.01, 0.1, 1.0}) {
       const SweepContact contact = contact_of(family(profile, {{0, 0, 0}, by * way}));
       EXPECT_TRUE(before || !contact.free);  // a part of a family free of contact is free of it
       before = contact.free;
     }
   }
-  EXPECT_TRUE(contact_of(family(profile, {{0, 0, 0}, {0.0, 0.0, 1e-4}})).free);
+  EXPECT_TRUE(contact_of(family(profile, {{0, 0, 0}, {0.0, 0.0, nearly}})).free);
   EXPECT_FALSE(contact_of(family(profile, {{0, 0, 0}, {0.0, 0.0, 0.0}})).free);
 }
 

@@ -49,6 +49,9 @@ double sampled_reach(const Motion& motion, std::size_t count) {
   return least;
 }
 
+/// The width of a radius: small against the hundredth by which the tests stay away from it.
+constexpr double narrow = 1.0 / 4096.0;
+
 TEST(SweepFirstContact, OfTubesIsAtTheReachOfThePath) {
   Random random("tubes about the reach");
   const std::size_t count = cases<std::size_t>(16);
@@ -176,7 +179,7 @@ TEST(SweepFirstContact, OfRandomSweepsInAnyFrameIsNeverExcluded) {
     const Polygon polygon = random_polygon(random);
     const Sweep sweep{*motion, Profile::polygon(polygon).value()};
     const double first =
-        first_contact(states_of(*motion, 90), polygon, 1e-3 * length, 3.0 * length);
+        first_contact(states_of(*motion, 90), polygon, length / 1024.0, 3.0 * length);
     if (first == infinity) continue;
     ++met;
     for (const double factor : {1.0, 1.03, 1.3, 2.0, 5.0}) {
@@ -220,7 +223,7 @@ TEST(SweepFirstContact, OfAWayBackIsAtHalfTheDistance) {
       const Polygon p{{-right, -up}, {left, -up}, {left, up}, {-right, up}};
       return contact_of({motion, Profile::polygon(p).value()}).free;
     };
-    const double least = largest_tube_radius(path, RangeGoal{0x1.0p-12}).radius.lower();
+    const double least = largest_tube_radius(path, RangeGoal{narrow}).radius.lower();
     EXPECT_TRUE(band(0.99 * least, 0.99 * least, 50.0)) << apart;
     // To the left, into the bend, it folds just above; on the outside it may go
     // on.
@@ -249,14 +252,15 @@ TEST(SweepFirstContact, HasNoneOnStraightWaysAndIsNotMissedOnNarrowBends) {
   EXPECT_TRUE(contact_of(screw).free);
   // A ribbon without height: to the left it folds at the bend's radius,
   // whatever its frame's unit.
-  for (const double radius : {1e-6, 1.0, 1e6}) {
+  constexpr double million = 1e6;
+  for (const double radius : {1.0 / million, 1.0, million}) {
     const auto plan =
         shortest_turn_limited_path({{0.0, 0.0}, {1.0, 0.0}},
                                    {{4.0 * radius, 4.0 * radius}, {0.0, 1.0}}, radius, {})
             .value();
     const AnyPath path = in_space(AnyPath(plan.path));
     const Motion motion = Motion::along(path).value();
-    const double bend = largest_tube_radius(path, RangeGoal{0x1.0p-12}).radius.lower();
+    const double bend = largest_tube_radius(path, RangeGoal{narrow}).radius.lower();
     const auto ribbon = [&](double left, double right) {
       return contact_of({motion, Profile::polyline(Polygon{{-right, 0.0}, {left, 0.0}}).value()})
           .free;
