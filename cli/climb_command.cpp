@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// hodograph climb: constant-climb paths through waypoints, within a vehicle's
-// limits.
+// hodograph climb: constant-climb paths through waypoints, within a vehicle's limits.
 #include <cstdio>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "cli/climbs.hpp"
 #include "cli/commands.hpp"
@@ -90,6 +90,17 @@ void run(ClimbFlags flags) {
                     flags.turn_radius};
   options.headings = flags.headings == heading_words[0] ? TangentRule::t1 : TangentRule::t2;
   const std::vector<ClimbWaypoint> waypoints = waypoints_of(flags);
+  if (!flags.climb_given && !flags.most_climb_given && !flags.most_descent_given) {
+    for (std::size_t i = 0; i + 1 < waypoints.size(); ++i) {
+      const ClimbWaypoint& w = waypoints[i];
+      if (!w.climb_angle && !w.ground_length && w.position.z != waypoints[i + 1].position.z) {
+        refuse("span " + std::to_string(i) +
+                   " is not level: give its angle by --climb-deg, or the steepest that the vehicle "
+                   "climbs and descends by --max-climb-deg and --max-descent-deg",
+               "climb_angle");
+      }
+    }
+  }
   ClimbRoute route = climb_route(waypoints, options).value();
   const auto rows = rows_of(route);
   const std::string source =

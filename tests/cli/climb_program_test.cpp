@@ -127,7 +127,16 @@ TEST(ClimbCommand, SaysWhatWouldBeFeasible) {
   expect_refused(program.run({"climb", ridge(), "--climb-deg", "8", "--turn-radius", "60"}),
                  "span 0: climb angle", 3);
   expect_refused(program.run({"climb", "--begin", "0,0,0", "--end", "10,0,8"}),
-                 "needs a climb angle above 0", 3);
+                 "span 0 is not level: give its angle by --climb-deg");
+  expect_refused(
+      program.run({"climb", "--begin", "0,0,0", "--end", "10,0,8", "--turn-radius", "-5"}),
+      "span 0 is not level");
+  expect_refused(program.run({"climb", "--begin", "0,0,0", "--end", "10,0,8", "--max-climb-deg",
+                              "45", "--turn-radius", "-5"}),
+                 "-5");
+  expect_refused(
+      program.run({"climb", "--begin", "0,0,0", "--end", "10,0,8", "--max-descent-deg", "5"}),
+      "needs a climb angle above 0", 3);
   expect_refused(program.run({"climb", "--begin", "0,0,0", "--end", "10,0,0", "--climb-deg", "5"}),
                  "its altitude changes by 0", 3);
   expect_refused(program.run({"climb", "--begin", "0,0,0"}), "--end X,Y,Z");
