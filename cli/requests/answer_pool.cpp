@@ -57,8 +57,8 @@ void AnswerPool::submit(Line line) {
   auto slot = std::make_shared<Slot>();
   slot->content.line = std::move(line);
   const std::lock_guard lock(mutex_);
+  if (stopped_) return;  // by another thread, after has_room
   assert(!finished_);
-  if (stopped_) return;
   bytes_ += slot->content.line.text.size();
   in_flight_.push_back(std::move(slot));
   if (in_flight_.size() - begun_ > idle_ && threads_.size() < jobs_) {

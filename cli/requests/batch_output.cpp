@@ -224,8 +224,9 @@ void BatchOutput::write(int descriptor, std::string& bytes) {
 }
 
 void BatchOutput::flush() {
-  if (!pending_.empty()) write(output_, pending_);
+  // The records first: where the disk is full after that, recover() keeps the lines that are whole.
   if (record_ >= 0 && !pending_records_.empty()) write(record_, pending_records_);
+  if (!pending_.empty()) write(output_, pending_);
 }
 
 void BatchOutput::commit() {

@@ -334,7 +334,8 @@ TEST(BatchRun, AFullDiskEndsTheRunAndLeavesWhatIsWhole) {
   const std::string partial = text_of_file(program.path("out.jsonl.partial"));
   EXPECT_GT(partial.size(), 10'000u);
   EXPECT_LT(partial.size(), whole.size());
-  EXPECT_EQ(program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"}).code, 0);
+  const Outcome resumed = program.run({"batch", "in.jsonl", "-o", "out.jsonl", "--resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
   EXPECT_TRUE(text_of_file(program.path("out.jsonl")) == whole);
 
   const Outcome device = program.shell("hodograph batch in.jsonl > /dev/full");
