@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "exact_piece.hpp"
+#include "plane_between.hpp"
 
 namespace hodograph::surface_detail {
 namespace {
@@ -322,25 +323,7 @@ class SurfaceSearch {
     const Vector3<double> n = cross(a.mean_v, a.mean_u), m = cross(b.mean_v, b.mean_u);
     for (const Vector3<double>& direction :
          {b.middle - a.middle, a.mean_v, a.mean_u, b.mean_v, b.mean_u, n, m, cross(n, m)}) {
-      const double length = largest_component(direction);
-      if (!(length > 0.0) || !std::isfinite(1.0 / length)) continue;
-      const Vector3<double> d = (1.0 / length) * direction;
-      const double size = norm(d);
-      double a_low = infinity, a_high = -infinity, b_low = infinity, b_high = -infinity;
-      for (const auto& p : a.at) {
-        const double at = dot(p, d);
-        a_low = std::min(a_low, at);
-        a_high = std::max(a_high, at);
-      }
-      for (const auto& p : b.at) {
-        const double at = dot(p, d);
-        b_low = std::min(b_low, at);
-        b_high = std::max(b_high, at);
-      }
-      constexpr double components = 4.0;
-      if (a_high + components * size * off < b_low || b_high + components * size * off < a_low) {
-        return true;
-      }
+      if (plane_between(a.at, b.at, direction, off)) return true;
     }
     return false;
   }

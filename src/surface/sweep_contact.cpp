@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "exact_piece.hpp"
+#include "plane_between.hpp"
 #include "surface_contact.hpp"
 
 namespace hodograph {
@@ -389,24 +390,7 @@ class Search {
     const auto unit = [](const Vector3<double>& v) { return (1.0 / norm(v)) * v; };
     const Vector3<double> s = unit(a.tangent), t = unit(b.tangent);
     for (const Vector3<double>& d : {s + t, s, t, b.middle - a.middle}) {
-      const double size = norm(d);
-      if (!(size > 0.0)) continue;
-      double first = -Box::infinity, last = Box::infinity, high = -Box::infinity,
-             low = Box::infinity;
-      for (const auto& p : a.hull) {
-        const double at = dot(p, d);
-        first = std::max(first, at);
-        low = std::min(low, at);
-      }
-      for (const auto& p : b.hull) {
-        const double at = dot(p, d);
-        last = std::min(last, at);
-        high = std::max(high, at);
-      }
-      constexpr double components = 4.0;
-      if (first + components * size * off < last || high + components * size * off < low) {
-        return true;
-      }
+      if (surface_detail::plane_between(a.hull, b.hull, d, off)) return true;
     }
     return false;
   }

@@ -18,8 +18,7 @@
 
 namespace hodograph {
 
-// ---- one at a time
-// -------------------------------------------------------------------------------
+// ---- one at a time --------------------------------------------------------------------------
 
 template <class S>
 Eigen::Matrix<S, 2, 1> to_eigen(const Vector2<S>& a) {
@@ -112,37 +111,25 @@ auto frame_from_eigen(const Eigen::MatrixBase<Derived>& a) {
   }
 }
 
-// ---- many at once
-// --------------------------------------------------------------------------------
+// ---- many at once ---------------------------------------------------------------------------
 
-/// The points as the rows of a matrix (n, d), where they lie: nothing is copied, and what is
-/// written into the matrix is written into the points. Valid as long as they are.
+/// The points, Vector2 or Vector3, as the rows of a matrix (n, d), where they lie: nothing is
+/// copied, and what is written into the matrix is written into the points, unless they are const.
+/// Valid as long as they are.
 template <class V>
-  requires(std::is_same_v<V, Vector2<typename V::Scalar>> ||
-           std::is_same_v<V, Vector3<typename V::Scalar>>)
 auto rows_of(std::span<V> points) {
-  using S = typename V::Scalar;
-  static_assert(sizeof(V) == V::dimension * sizeof(S) && std::is_standard_layout_v<V>);
-  using Rows = Eigen::Matrix<S, Eigen::Dynamic, static_cast<int>(V::dimension), Eigen::RowMajor>;
-  return Eigen::Map<Rows>(points.empty() ? nullptr : &points.front().x,
-                          static_cast<Eigen::Index>(points.size()),
-                          static_cast<Eigen::Index>(V::dimension));
-}
-/// The same for points that are only read.
-template <class V>
-  requires(std::is_same_v<V, Vector2<typename V::Scalar>> ||
-           std::is_same_v<V, Vector3<typename V::Scalar>>)
-auto rows_of(std::span<const V> points) {
-  using S = typename V::Scalar;
-  static_assert(sizeof(V) == V::dimension * sizeof(S) && std::is_standard_layout_v<V>);
-  using Rows = Eigen::Matrix<S, Eigen::Dynamic, static_cast<int>(V::dimension), Eigen::RowMajor>;
-  return Eigen::Map<const Rows>(points.empty() ? nullptr : &points.front().x,
-                                static_cast<Eigen::Index>(points.size()),
-                                static_cast<Eigen::Index>(V::dimension));
+  using Point = std::remove_const_t<V>;
+  using S = typename Point::Scalar;
+  static_assert(std::is_same_v<Point, Vector2<S>> || std::is_same_v<Point, Vector3<S>>);
+  static_assert(sizeof(V) == Point::dimension * sizeof(S) && std::is_standard_layout_v<V>);
+  constexpr int columns = static_cast<int>(Point::dimension);
+  using Rows = Eigen::Matrix<S, Eigen::Dynamic, columns, Eigen::RowMajor>;
+  return Eigen::Map<std::conditional_t<std::is_const_v<V>, const Rows, Rows>>(
+      points.empty() ? nullptr : &points.front().x, static_cast<Eigen::Index>(points.size()),
+      columns);
 }
 
-// ---- derivatives
-// ---------------------------------------------------------------------------------
+// ---- derivatives ----------------------------------------------------------------------------
 
 /// (∂f/∂z_1, ..., ∂f/∂z_N) of a scalar that carries its derivatives.
 template <class S, std::size_t N>
